@@ -1,0 +1,79 @@
+// The data that crosses into shading kernels: plain pointers to float or double, structure of
+// arrays, the same for every number type and instruction set.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace scanshade {
+
+/// Kernels work on whole groups of this many samples; arrays are padded up to it.
+inline constexpr std::size_t span_padding = 16;
+
+inline std::size_t padded(std::size_t count) {
+    return (count + span_padding - 1) / span_padding * span_padding;
+}
+
+/// Surface points to be lit, all of one material. Arrays have padded(count) elements; what stands
+/// in the padding is finite and its result is not read.
+template <class T>
+struct SurfaceSpan {
+    const T* position[3];  // normalised scene space, the scene's radius in [1, 2)
+    const T* normal[3];    // towards the viewer's side, any length but 0
+    const T* albedo[3];    // factor of the diffuse parameter and of ka; null: 1 everywhere
+    T* radiance[3];        // out: L towards the viewer
+    std::size_t count;
+};
+
+/// How a light's intensity depends on the direction: one function of eq/ for each.
+enum class LightEmission : std::uint8_t { uniform, spot, cosine };
+
+/// One light as kernels see it. Directions and distances are of s·(light − P): s is a power of two
+/// that keeps the squares of far lights finite, and attenuation and radius have it folded in.
+template <class T>
+struct LightTerm {
+    T position[3];     // s · position; directional: towards the light, unit length
+    T point_scale;     // s; 0 for directional lights
+    T axis[3];         // unit: where a spot or cosine light shines to
+    T irradiance[3];   // π I a channel
+    T attenuation[3];  // c, l/s, q/s²
+    T radius;          // s · radius
+    T cos_cutoff;      // spot: cos τ
+    T inv_penumbra;    // spot: 1/(cos(τ − penumbra) − cos τ); 0: hard edge
+    LightEmission emission;
+};
+
+/// All light that falls on a scene.
+template <class T>
+struct Lighting {
+    T eye[3];        // perspective: position of the eye; orthographic: unit vector towards it
+    T eye_scale;     // 1 perspective, 0 orthographic: ω_o = normalise(eye − eye_scale · P)
+    T ambient[3];    // I_a a channel
+    std::vector<LightTerm<T>> lights;
+};
+
+/// An exponent s ≥ 0 in two parts, decided once a material: whole by squaring, the rest by
+/// exp(f·log x), which is left out where it is 0.
+struct Exponent {
+    std::uint32_t whole = 0;
+    double fraction = 0;  // [0, 1)
+};
+
+inline constexpr std::size_t max_params = 8;
+
+/// A material's numbers as kernels see them; what the indices mean is the model's business.
+template <class T>
+struct MaterialParams {
+    T value[max_params][3];          // a number has it in all three
+    Exponent exponent[max_params];   // of parameters of kind exponent
+    T ka[3];                         // factor of the ambient light
+    T emission[3];                   // radiance added
+};
+
+/// What a kernel noticed.
+struct SpanEvents {
+    std::uint64_t light_at_surface = 0;
+};
+
+}  // namespace scanshade

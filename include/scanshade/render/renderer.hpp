@@ -1,0 +1,55 @@
+// Draws a scene.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "scanshade/base/events.hpp"
+#include "scanshade/image/framebuffer.hpp"
+#include "scanshade/render/plan.hpp"
+#include "scanshade/scene/scene.hpp"
+
+namespace scanshade {
+
+struct StageStats {
+    std::string_view name;
+    bool ran = false;
+    double ms = 0;                 // all samples together
+    std::uint64_t items = 0;       // what the stage worked on
+    std::string_view item_name;    // "triangles", "samples", ...
+};
+
+struct FrameStats {
+    double frame_ms = 0;
+    std::vector<StageStats> stages;  // in the order in which they run
+    EventCounts events;              // of this frame
+    std::uint64_t covered_samples = 0;
+};
+
+/// Draws one scene with one set of settings any number of times. Holds copies of what it needs;
+/// a renderer is used by one thread at a time, several renderers by several.
+class Renderer {
+public:
+    /// Normalises the scene and makes the plan. Throws Error for what cannot be drawn.
+    Renderer(const Scene& scene, const Settings& settings);
+    ~Renderer();
+    Renderer(Renderer&&) noexcept;
+    Renderer& operator=(Renderer&&) noexcept;
+
+    const RenderPlan& plan() const;
+
+    /// Draws a frame from the scene's arrays into `frame`, which gets the plan's size. With
+    /// several samples a pixel, colour is their mean, depth and id are those of the first sample.
+    FrameStats draw(Framebuffer& frame);
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// Draws once and encodes as the settings say.
+Image render_image(const Scene& scene, const Settings& settings);
+
+}  // namespace scanshade

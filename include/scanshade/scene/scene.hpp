@@ -1,0 +1,65 @@
+// A scene: what is in the picture. Plain data in world space, double, as its file gave it.
+#pragma once
+
+#include <filesystem>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scanshade/base/events.hpp"
+#include "scanshade/scene/camera.hpp"
+#include "scanshade/scene/light.hpp"
+#include "scanshade/scene/material.hpp"
+#include "scanshade/scene/mesh.hpp"
+#include "scanshade/scene/settings.hpp"
+
+namespace scanshade {
+
+/// A placed mesh. Objects may share meshes.
+struct Object {
+    std::shared_ptr<const Mesh> mesh;
+    glm::dmat4 to_world{1};                  // affine, invertible
+    std::vector<std::uint32_t> materials;    // mesh material number → index into Scene::materials
+    std::optional<Shading> shading;          // instead of the settings', unless that was given as
+                                             // an option
+};
+
+struct Scene {
+    std::string name;                        // file name without folder and extension
+    std::vector<Object> objects;             // drawn in this order: equal depth, first wins
+    std::vector<Material> materials;
+    std::vector<Light> lights;
+    glm::dvec3 ambient{0};                   // I_a, radiance
+    std::optional<Camera> camera;            // none: framed on the bounds
+    EventCounts events;                      // of loading, all meshes together
+    std::vector<std::string> warnings;       // sentences for people, e.g. a texture not found
+
+    std::size_t triangle_count() const;
+    /// Sphere around the box of all vertices in world space; radius 1 where nothing is there.
+    Bounds bounds() const;
+};
+
+/// Loads an .obj or a .toml scene. Settings of a scene file's [render], [image] tables are stored
+/// into `settings` unless the same name was given as an option (settings.given).
+/// Then applies what the settings override: lights and camera; an .obj without `--light` gets
+/// three-point lighting. Throws Error.
+Scene load_scene(const std::filesystem::path& input, Settings& settings);
+
+/// The same for a scene file's text; relative paths are resolved against `folder`.
+Scene parse_scene(std::string_view toml, const std::filesystem::path& file, Settings& settings);
+
+/// A scene with one object and one material, framed and lit by default: what tests, sheets and
+/// the default view of an .obj use.
+Scene single_object_scene(std::shared_ptr<const Mesh> mesh, Material material);
+
+/// Key, fill and rim light around the bounds, as seen from the camera.
+std::vector<Light> three_point_lights(const Bounds& bounds, const Camera& camera);
+
+/// The scene moved and scaled by a power of two so that its bounds have their centre at 0 and a
+/// radius in [1, 2); camera, lights, attenuation, near and far follow. The picture is the same.
+Scene normalised(const Scene& scene);
+
+}  // namespace scanshade
