@@ -126,7 +126,9 @@ check-layers:
 check-equations:
 	@python3 tests/support/check_equations.py
 check-format:
-	@clang-format --dry-run -Werror $(FORMATTED) || { echo "run 'make format'"; exit 1; }
+	@odd=$$(clang-format --dry-run $(FORMATTED) 2>&1 | sed -n 's/:[0-9].*warning:.*//p' | sort -u); \
+	if [ -n "$$odd" ]; then echo "$$odd"; echo "format: run 'make format' for these files"; exit 1; \
+	else echo "format: as clang-format wants it"; fi
 check-headers:
 	@CXX='$(CXX)' python3 tests/support/check_headers.py $(HEADERS) -- \
 	    $(filter-out -MMD -MP,$(CXXFLAGS_COMMON)) -Werror
