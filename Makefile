@@ -131,7 +131,7 @@ check-format:
 	else echo "format: as clang-format wants it"; fi
 check-headers:
 	@CXX='$(CXX)' python3 tests/support/check_headers.py $(HEADERS) -- \
-	    $(filter-out -MMD -MP,$(CXXFLAGS_COMMON)) -Werror
+	    $(filter-out -M%,$(CXXFLAGS_COMMON)) -Werror
 
 .PHONY: docs
 docs: deps-demo  ## write docs/equations.md and the pictures of README.md again
@@ -174,7 +174,7 @@ lint:  ## clang-tidy, cppcheck and a build with clang, as far as they are instal
 .PHONY: $(TIDIED:%=tidy/%)
 $(TIDIED:%=tidy/%): tidy/%: $(BUILD)/gen/brdf_models.inc
 	@echo "  TIDY $*"
-	@clang-tidy --quiet $* -- $(filter-out -MMD -MP -Wno-psabi,$(CXXFLAGS_COMMON)) $(SDL_CFLAGS) \
+	@clang-tidy --quiet $* -- $(filter-out -M% -Wno-psabi,$(CXXFLAGS_COMMON)) $(SDL_CFLAGS) \
 	    2>/dev/null
 
 .PHONY: format
