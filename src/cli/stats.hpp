@@ -1,0 +1,38 @@
+// What a run of `scanshade render` found out: --stats.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/events.hpp"
+#include "scanshade/render/renderer.hpp"
+
+namespace scanshade {
+
+/// Everything that --stats and --verbose tell. `plan` and `settings` stay where they are.
+struct Run {
+    std::string input;
+    const Settings& settings;
+    const RenderPlan& plan;
+    double load_ms;
+    std::vector<FrameStats> frames;  // at least one
+    EventTotals totals;
+    std::vector<EventRow> events;  // of loading and of the last frame
+    std::size_t objects, lights;
+};
+
+Run describe_run(std::string input, const Scene& scene, const Settings& settings,
+                 const RenderPlan& plan, double load_ms, std::vector<FrameStats> frames);
+
+struct FrameTimes {
+    double median_ms, min_ms;
+};
+FrameTimes frame_times(const std::vector<FrameStats>& frames);
+
+/// The JSON text; its keys are stable, scripts read them.
+std::string stats_json(const Run& run);
+
+/// The most memory that this process has had resident, in bytes; 0 where the system does not say.
+std::uint64_t peak_memory_bytes();
+
+}  // namespace scanshade
