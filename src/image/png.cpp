@@ -104,18 +104,20 @@ void save_png(const Image& image, const std::filesystem::path& path) {
             throw write_error("standard output", reason);
         return;
     }
-    std::string temporary = path.string() + ".XXXXXX";
-    const int descriptor = ::mkstemp(temporary.data());
+    std::error_code ignored;
+    const std::filesystem::path real = std::filesystem::canonical(path, ignored);
+    const std::filesystem::path& target = ignored ? path : real;  // not a link to it
+    const bool device = !ignored && !std::filesystem::is_regular_file(target, ignored);
+    const std::string name =
+        device ? target.string() : fmt::format("{}.{}.part", target.string(), ::getpid());
+    const int flags = O_WRONLY | O_CLOEXEC | (device ? 0 : O_CREAT | O_TRUNC);
+    const int descriptor = ::open(name.c_str(), flags, 0666);
     if (descriptor < 0) throw write_error(path.string(), errno);
     int reason = write_all(descriptor, bytes);
-    // mkstemp makes files that only their owner can read; a picture is an ordinary file.
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    if (!reason && ::fchmod(descriptor, 0666 & ~mask) != 0) reason = errno;
     if (::close(descriptor) != 0 && !reason) reason = errno;
-    if (!reason && std::rename(temporary.c_str(), path.c_str()) != 0) reason = errno;
+    if (!device && !reason && std::rename(name.c_str(), target.c_str()) != 0) reason = errno;
     if (!reason) return;
-    std::remove(temporary.c_str());
+    if (!device) std::remove(name.c_str());
     throw write_error(path.string(), reason);
 }
 
