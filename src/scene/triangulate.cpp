@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "scene/mesh_parts.hpp"
