@@ -254,7 +254,7 @@ private:
             Material& material = file_.materials[number];
             if (libraries_.defines(name)) {
                 material = libraries_.make(name);
-            } else if (!name.empty()) {
+            } else if (!name.empty() && faces[number] > 0) {
                 material.name = name;
                 file_.events.add(Event::missing_material, faces[number]);
                 file_.warnings.push_back(fmt::format(
@@ -263,7 +263,7 @@ private:
             }
         }
         if (const auto count = file_.events[Event::transparency_ignored])
-            file_.warnings.push_back(fmt::format("{}: {} transparent materials are drawn opaque",
+            file_.warnings.push_back(fmt::format("{}: materials with d < 1 are drawn opaque: {}",
                                                  path_.string(), count));
     }
 
