@@ -24,7 +24,10 @@
 #define STB_IMAGE_STATIC
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_NO_STDIO
-#define STBI_NO_HDR
+#define STBI_ONLY_PNG  // what textures come in; other decoders are less well tested
+#define STBI_ONLY_JPEG
+#define STBI_ONLY_BMP
+#define STBI_ONLY_TGA
 #define STBI_MAX_DIMENSIONS 16384  // max_image_side, in stb's words
 #include <stb/stb_image.h>
 #define STB_IMAGE_WRITE_STATIC
@@ -125,13 +128,10 @@ Image load_image(const std::filesystem::path& path) {
     const std::vector<std::uint8_t> bytes = read_bytes(path);
     const int size = int(bytes.size());
     int width = 0, height = 0, channels = 0;
-    const auto not_a_picture = [&] {
-        return Error(Errc::format, fmt::format("this is not a picture that can be read ({}); PNG, "
-                                               "JPEG, BMP, TGA, GIF, PSD and PNM files are",
-                                               stbi_failure_reason()));
-    };
+    const Error not_a_picture(
+        Errc::format, "this is no complete picture; PNG, JPEG, BMP and TGA files can be read");
     if (!stbi_info_from_memory(bytes.data(), size, &width, &height, &channels))
-        throw not_a_picture().at(path.string());
+        throw Error(not_a_picture).at(path.string());
     if (width < 1 || height < 1 || width > max_image_side || height > max_image_side)
         throw Error(Errc::format, fmt::format("the picture has {} × {} pixels; each side must be "
                                               "from 1 to {} pixels",
@@ -139,7 +139,7 @@ Image load_image(const std::filesystem::path& path) {
             .at(path.string());
     const std::unique_ptr<unsigned char, void (*)(void*)> pixels(
         stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 3), std::free);
-    if (!pixels) throw not_a_picture().at(path.string());
+    if (!pixels) throw Error(not_a_picture).at(path.string());
     Image image(width, height);
     std::memcpy(image.rgb.data(), pixels.get(), image.rgb.size());
     return image;

@@ -103,7 +103,7 @@ Turning turning(const std::vector<GridPoint>& points) {
 class EarClipper {
 public:
     explicit EarClipper(const std::vector<GridPoint>& points)
-        : points_(points), removed_(points.size()), work_left_(points.size() << 13) {
+        : points_(points), removed_(points.size()), work_left_(points.size() << 12) {
         const std::uint32_t n = std::uint32_t(points.size());
         for (std::uint32_t i = 0; i < n; ++i) {
             previous_.push_back((i + n - 1) % n);
@@ -148,7 +148,7 @@ private:
     bool accepts(Rule rule, std::uint32_t i) {
         switch (rule) {
             case Rule::ear:
-                return is_ear(i);
+                return is_spike(i) || is_ear(i);
             case Rule::no_area:
                 return turn(i) == 0;
             case Rule::left_turn:
@@ -170,6 +170,12 @@ private:
         return orientation(points_[previous_[i]], points_[i], points_[next_[i]]);
     }
 
+    /// Goes back the way it came, or stays in place: clipped before any ear leans on it.
+    bool is_spike(std::uint32_t i) const {
+        const GridPoint p = points_[i], a = points_[previous_[i]], c = points_[next_[i]];
+        return turn(i) == 0 && (a.x - p.x) * (c.x - p.x) + (a.y - p.y) * (c.y - p.y) >= 0;
+    }
+
     /// Removes corner i with its triangle; only its neighbours can become ears by that.
     void clip(std::uint32_t i) {
         const std::uint32_t a = previous_[i], c = next_[i];
@@ -189,13 +195,15 @@ private:
     bool is_ear(std::uint32_t i) {
         if (work_left_ == 0 || turn(i) <= 0) return false;
         const std::array<std::uint32_t, 3> ear{previous_[i], i, next_[i]};
-        const auto [low, high] = std::minmax({points_[ear[0]].x, points_[i].x, points_[ear[2]].x});
+        const GridPoint p = points_[ear[0]], q = points_[i], r = points_[ear[2]];
+        const auto [left, right] = std::minmax({p.x, q.x, r.x});
+        const auto [low, high] = std::minmax({p.y, q.y, r.y});
         auto k =
-            std::lower_bound(by_x_.begin(), by_x_.end(), low,
+            std::lower_bound(by_x_.begin(), by_x_.end(), left,
                              [&](std::uint32_t a, std::int64_t x) { return points_[a].x < x; });
-        for (; k != by_x_.end() && points_[*k].x <= high && work_left_ > 0; ++k, --work_left_) {
-            if (removed_[*k] || *k == ear[0] || *k == ear[1] || *k == ear[2]) continue;
-            if (blocks(*k, ear)) return false;
+        for (; k != by_x_.end() && points_[*k].x <= right && work_left_ > 0; ++k, --work_left_) {
+            if (points_[*k].y < low || points_[*k].y > high || removed_[*k]) continue;
+            if (*k != ear[0] && *k != i && *k != ear[2] && blocks(*k, ear)) return false;
         }
         return work_left_ > 0;
     }

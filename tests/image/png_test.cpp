@@ -1,28 +1,23 @@
 #include "scanshade/image/png.hpp"
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <string>
 
 #include "scanshade/base/error.hpp"
 #include "support/catch.hpp"
+#include "support/temp_folder.hpp"
 
 using namespace scanshade;
 namespace fs = std::filesystem;
 
 namespace {
 
-/// An empty folder that goes away with its object.
-struct Folder {
-    fs::path path = fs::temp_directory_path() / ("scanshade-png-" + std::to_string(::getpid()));
-    Folder() { fs::create_directory(path); }
-    ~Folder() { fs::remove_all(path); }
-    std::size_t count() const {
-        return std::size_t(std::distance(fs::directory_iterator(path), fs::directory_iterator()));
-    }
-};
+std::size_t file_count(const TempFolder& folder) {
+    return std::size_t(
+        std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()));
+}
 
 Image gradient(int width, int height) {
     Image image(width, height);
@@ -46,14 +41,10 @@ void check_error(Errc code, const std::string& part, const std::function<void()>
     }
 }
 
-void write(const fs::path& path, const std::string& bytes) {
-    std::ofstream(path, std::ios::binary) << bytes;
-}
-
 }  // namespace
 
 TEST_CASE("a picture comes back from its file as it was", "[image][png]") {
-    const Folder folder;
+    const TempFolder folder;
     const fs::path file = folder.path / "a.png";
     const Image image = gradient(37, 23);
     save_png(image, file);
@@ -63,11 +54,11 @@ TEST_CASE("a picture comes back from its file as it was", "[image][png]") {
     CHECK(back.rgb == image.rgb);
     save_png(gradient(2, 2), file);  // replaces
     CHECK(load_image(file).width == 2);
-    CHECK(folder.count() == 1);  // no temporary file stays
+    CHECK(file_count(folder) == 1);  // no temporary file stays
 }
 
 TEST_CASE("writing through a link keeps the link", "[image][png]") {
-    const Folder folder;
+    const TempFolder folder;
     save_png(gradient(3, 3), folder.path / "real.png");
     fs::create_symlink("real.png", folder.path / "link.png");
     save_png(gradient(5, 5), folder.path / "link.png");
@@ -76,7 +67,7 @@ TEST_CASE("writing through a link keeps the link", "[image][png]") {
 }
 
 TEST_CASE("a picture that cannot be written is an error that says why", "[image][png]") {
-    const Folder folder;
+    const TempFolder folder;
     const Image image = gradient(4, 4);
     check_error(Errc::file, "No such file or directory",
                 [&] { save_png(image, folder.path / "none" / "a.png"); });
@@ -85,7 +76,7 @@ TEST_CASE("a picture that cannot be written is an error that says why", "[image]
         check_error(Errc::file, "No space left on device", [&] { save_png(image, "/dev/full"); });
         CHECK(fs::exists("/dev/full"));
     }
-    CHECK(folder.count() == 0);
+    CHECK(file_count(folder) == 0);
 }
 
 TEST_CASE("sizes that no PNG writer should see are refused first", "[image][png]") {
@@ -99,20 +90,21 @@ TEST_CASE("sizes that no PNG writer should see are refused first", "[image][png]
 }
 
 TEST_CASE("files that are no pictures are refused by name", "[image][png]") {
-    const Folder folder;
+    const TempFolder folder;
     check_error(Errc::file, "none.png", [&] { load_image(folder.path / "none.png"); });
     check_error(Errc::file, "directory", [&] { load_image(folder.path); });
     for (const std::string& bytes : {std::string(), std::string("not a picture"),
                                      std::string("\x89PNG\r\n\x1a\n"), std::string(4096, '\xff')}) {
-        write(folder.path / "bad.png", bytes);
+        folder.write("bad.png", bytes);
         check_error(Errc::format, "bad.png", [&] { load_image(folder.path / "bad.png"); });
     }
     // Cut off at every length: an error or, within the last bytes, a picture; never a crash.
     const auto png = encode_png(gradient(16, 16));
     for (std::size_t length = 0; length < png.size(); length += 7) {
-        write(folder.path / "cut.png", std::string(png.begin(), png.begin() + long(length)));
+        folder.write("cut.png", std::string(png.begin(), png.begin() + long(length)));
         try {
-            CHECK(load_image(folder.path / "cut.png").width == 16);
+            const Image image = load_image(folder.path / "cut.png");
+            CHECK(image.width == 16);
         } catch (const Error& error) {
             CHECK(error.code() == Errc::format);
         }
@@ -120,18 +112,46 @@ TEST_CASE("files that are no pictures are refused by name", "[image][png]") {
 }
 
 TEST_CASE("a header that claims too large a picture is refused before decoding", "[image][png]") {
-    const Folder folder;
+    const TempFolder folder;
     auto png = encode_png(gradient(1, 1));
     png[16] = 0x00, png[17] = 0x01;  // IHDR: width 65537
-    write(folder.path / "wide.png", std::string(png.begin(), png.end()));
+    folder.write("wide.png", std::string(png.begin(), png.end()));
     check_error(Errc::format, "wide.png", [&] { load_image(folder.path / "wide.png"); });
 }
 
-TEST_CASE("grey is spread and alpha dropped", "[image][png]") {
-    const Folder folder;
-    write(folder.path / "grey.pgm", std::string("P5 2 1 255\n") + "\x10\xf0");
-    CHECK(load_image(folder.path / "grey.pgm").rgb ==
-          std::vector<std::uint8_t>{16, 16, 16, 240, 240, 240});
-    write(folder.path / "deep.pgm", std::string("P5 1 1 65535\n") + "\x7f\xff");
-    CHECK(load_image(folder.path / "deep.pgm").rgb == std::vector<std::uint8_t>{127, 127, 127});
+namespace {
+
+std::string big_endian(std::size_t value) {
+    std::string bytes;
+    for (int shift = 24; shift >= 0; shift -= 8) bytes += char(value >> shift & 0xff);
+    return bytes;
+}
+
+/// A PNG of one row, not compressed; checksums are left 0, which the reader does not mind.
+std::string tiny_png(int width, int bit_depth, int colour_type, const std::string& row) {
+    const auto chunk = [](const std::string& type, const std::string& data) {
+        return big_endian(data.size()) + type + data + big_endian(0);
+    };
+    const std::string raw = std::string(1, '\0') + row;  // filter: none
+    const char low = char(raw.size());
+    std::string zlib = "\x78\x01\x01";
+    zlib += {low, '\0', char(~low), '\xff'};
+    return "\x89PNG\r\n\x1a\n" +
+           chunk("IHDR", big_endian(std::size_t(width)) + big_endian(1) + char(bit_depth) +
+                             char(colour_type) + std::string(3, '\0')) +
+           chunk("IDAT", zlib + raw + big_endian(0)) + chunk("IEND", "");
+}
+
+}  // namespace
+
+TEST_CASE("grey is spread, alpha dropped and 16 bits are cut", "[image][png]") {
+    const TempFolder folder;
+    const fs::path file = folder.path / "tiny.png";
+    using Bytes = std::vector<std::uint8_t>;
+    folder.write("tiny.png", tiny_png(2, 8, 0, "\x10\xf0"));
+    CHECK(load_image(file).rgb == Bytes{16, 16, 16, 240, 240, 240});
+    folder.write("tiny.png", tiny_png(1, 8, 6, "\x01\x02\x03\x7f"));
+    CHECK(load_image(file).rgb == Bytes{1, 2, 3});
+    folder.write("tiny.png", tiny_png(1, 16, 2, "\x01\xff\x02\xff\x03\xff"));
+    CHECK(load_image(file).rgb == Bytes{1, 2, 3});
 }
