@@ -11,10 +11,12 @@
 #include <cstdlib>
 #include <istream>
 #include <map>
+#include <optional>
 #include <span>
 #include <utility>
 
 #include "scanshade/base/error.hpp"
+#include "scanshade/base/text.hpp"
 #include "scene/obj_mtl.hpp"
 #include "scene/obj_text.hpp"
 
@@ -37,18 +39,17 @@ constexpr double max_coordinate = 1e100;  // squares and cubes of it are finite
 
 /// A word must be a number that a double can hold; the library takes anything else for 0.
 void check_real(std::string_view word) {
-    const std::string_view digits = word.substr(word.starts_with('+') ? 1 : 0);
-    const char* end = digits.data() + digits.size();
-    double value = 0;
-    const auto [stop, problem] = std::from_chars(digits.data(), end, value);
-    if (stop != end || problem == std::errc::invalid_argument || digits.starts_with("+-"))
-        throw Error(Errc::format, fmt::format("'{}' is not a number; numbers look like -1.5e3",
-                                              word.substr(0, 64)));
-    if (problem == std::errc::result_out_of_range)
-        value = std::strtod(std::string(digits).c_str(), nullptr);
-    if (!std::isfinite(value))
+    if (parse_real(word)) return;
+    const std::string text(word.substr(0, 64));
+    const bool decimal = word.find_first_not_of("0123456789+-.eE") == std::string_view::npos;
+    const std::string whole(word);
+    char* stop = nullptr;
+    const double value = std::strtod(whole.c_str(), &stop);  // knows too large from too small
+    if (!decimal || *stop != '\0')
         throw Error(Errc::format,
-                    fmt::format("'{}' is not finite; coordinates must be", word.substr(0, 64)));
+                    fmt::format("'{}' is not a number; numbers look like -1.5e3", text));
+    if (!std::isfinite(value))
+        throw Error(Errc::format, fmt::format("'{}' is too large for a number", text));
 }
 
 /// What the library made of it: "0e999" is NaN there.
@@ -72,12 +73,9 @@ void check_corner(std::string_view word) {
     std::string_view rest = word;
     for (int part = 0; part < 3; ++part) {
         const std::string_view number = rest.substr(0, rest.find('/'));
-        const std::string_view digits = number.substr(number.starts_with('+') ? 1 : 0);
-        int value = 0;
-        const char* end = digits.data() + digits.size();
-        const auto [stop, problem] = std::from_chars(digits.data(), end, value);
+        const std::optional<long long> value = parse_integer(number);
         const bool absent = number.empty() && part > 0;
-        if (!absent && (problem != std::errc{} || stop != end)) break;
+        if (!absent && (!value || *value != int(*value))) break;
         rest.remove_prefix(number.size());
         if (rest.empty()) return;
         rest.remove_prefix(1);

@@ -68,9 +68,9 @@ StatementStream::int_type StatementStream::underflow() {
     if (rest_.empty()) return traits_type::eof();
     statement_ = next_line();
     const long line = line_;
-    while (statement_.ends_with('\\') && !rest_.empty()) {
+    while (statement_.ends_with('\\')) {
         statement_.back() = ' ';
-        statement_ += next_line();
+        if (!rest_.empty()) statement_ += next_line();
     }
     // Only numbers are followed by comments: names may have a '#' in them.
     std::string_view arguments = statement_;
