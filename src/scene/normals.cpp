@@ -1,4 +1,5 @@
-// Vertex normals: from the file, from smoothing groups, or by equation (C1).
+// Vertex normals: from the file, from smoothing groups, or by equation (C1). Faces are adjacent
+// where they share a position number: what a file keeps apart stays apart.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
