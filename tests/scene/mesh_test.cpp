@@ -201,6 +201,15 @@ TEST_CASE("(C1) sums over polygons, not over their triangles", "[mesh][normals]"
     check_near(normal(mesh, 0), glm::normalize(glm::dvec3(-1)));
 }
 
+TEST_CASE("a face that visits a position twice counts once in (C1)", "[mesh][normals]") {
+    PolygonSoup soup = hinge(40);
+    soup.corners.insert(soup.corners.begin() + 1, soup.corners[1]);  // 0 1 1 2 3
+    soup.face_begin = {0, 5, 9};
+    const Mesh mesh = build_mesh(soup, {});
+    check_near(normal(mesh, 1), glm::normalize(face_normal(mesh, 0) + face_normal(mesh, 1)));
+    CHECK(mesh.vertex_count() == 6);
+}
+
 TEST_CASE("the three weights differ as they should", "[mesh][normals]") {
     // Around (0,0,0): a large square in z = 0 and a small right triangle in x = 0 with the angle
     // 45 degrees there.
@@ -272,6 +281,10 @@ TEST_CASE("opposite normals that cancel fall back to the face normal", "[mesh][n
     for (std::size_t c = 0; c < 6; ++c) check_near(normal(mesh, c), face_normal(mesh, c / 3), 0);
     // The default crease angle keeps the sides apart: nothing cancels.
     CHECK(build_mesh(sheet, {}).events[Event::cancelled_normal] == 0);
+    // Also where the sum is exactly 0.
+    const PolygonSoup flat = soup_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {2, 1, 0}});
+    CHECK(build_mesh(flat, {}).events[Event::cancelled_normal] == 0);
+    CHECK(build_mesh(flat, {NormalSource::average, 180}).events[Event::cancelled_normal] == 6);
     sheet.face_smoothing = {5, 5};
     CHECK(build_mesh(sheet, {}).events[Event::cancelled_normal] == 6);
 }
