@@ -9,7 +9,7 @@ JOBS   ?= $(shell nproc 2>/dev/null || echo 2)
 # No -march (instruction sets are chosen at run time), no -ffast-math, no contraction: the same bits
 # everywhere.
 CXXFLAGS_COMMON := -std=c++20 -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion \
-                   -ffp-contract=off -fno-math-errno -Wno-psabi -MMD -MP -Iinclude -Isrc -Itests -I$(BUILD)/gen
+                   -ffp-contract=off -fno-math-errno -Wno-psabi -MD -MP -Iinclude -Isrc -Itests -I$(BUILD)/gen
 CXXFLAGS_release := -O2
 CXXFLAGS_debug   := -O0 -g
 CXXFLAGS_asan    := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all \
