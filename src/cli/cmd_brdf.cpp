@@ -19,7 +19,7 @@ std::string list() {
     std::vector<std::vector<std::string>> rows;
     for (const BrdfInfo* brdf : all_brdfs())
         rows.push_back({std::string(brdf->name), std::string(brdf->title)});
-    rows.push_back({"unlit", "the diffuse colour, whatever the light"});
+    rows.push_back({"unlit", "no model: the diffuse colour, whatever the light"});
     return table(rows);
 }
 

@@ -13,11 +13,10 @@ int run_compare(OptionParser& options, char** args) {
     long long max_delta = 0, max_count = 0;
     options.positional("A", first, "a picture");
     options.positional("B", second, "another of the same size");
-    options.integer("--max-delta", 0, 255, max_delta,
-                    "allowed difference of a byte (default 0); more makes the exit status 1");
+    options.integer("--max-delta", 0, 255, max_delta, "allowed difference of a byte, default 0");
     options.integer("--max-count", 0, 1LL << 40, max_count,
-                    "allowed number of pixels that differ at all (default 0); more makes the exit "
-                    "status 1");
+                    "allowed number of pixels that differ at all, default 0; the exit status is 1 "
+                    "where either bound is exceeded");
     options.text("--diff", "OUT.png", picture,
                  "write the differences, stretched so that the largest is white");
     if (!options.parse(args)) return exit_done;

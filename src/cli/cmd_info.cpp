@@ -38,7 +38,7 @@ Rows place_rows(const Scene& scene, const Settings& settings) {
     const Bounds bounds = scene.bounds();
     const Camera camera = scene.camera.value_or(
         framed_camera(bounds, double(settings.width) / double(settings.height)));
-    Rows rows{
+    return {
         {"bounds", fmt::format("centre {}, radius {:g}", text(bounds.centre), bounds.radius)},
         {"camera",
          fmt::format("{}, position {}, focal point {}, view up {}, view angle {:g}°{}",
@@ -46,7 +46,6 @@ Rows place_rows(const Scene& scene, const Settings& settings) {
                      text(camera.position), text(camera.focal_point), text(camera.view_up),
                      camera.view_angle_deg, scene.camera ? "" : " (framed on the bounds)")},
         {"ambient", text(scene.ambient)}};
-    return rows;
 }
 
 std::string light_text(const Light& light) {
@@ -129,8 +128,9 @@ int run_info(OptionParser& options, char** args) {
     Rows warnings;
     for (const std::string& sentence : scene.warnings) warnings.push_back({"  " + sentence});
 
-    print(table(count_rows(scene, totals)));
-    print(table(place_rows(scene, settings)));
+    Rows overview = count_rows(scene, totals);
+    for (auto& row : place_rows(scene, settings)) overview.push_back(std::move(row));
+    print(table(overview));
     print_section("lights", light_rows(scene));
     print_section("materials, as they are drawn", material_rows(scene, settings));
     print_section("events while loading", event_table(event_rows(scene.events, totals)));

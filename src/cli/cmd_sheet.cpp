@@ -19,6 +19,7 @@ namespace {
 
 constexpr Rgb8 paper{24, 26, 30}, ink{225, 228, 232};
 constexpr int gap = 8;  // pixels between cells and around letters
+const std::string row_title = "shading";
 constexpr int default_cell_width = 320;
 
 /// Where everything stands, in pixels.
@@ -33,7 +34,7 @@ struct Layout {
 
 Layout make_layout(const Settings& settings, const std::vector<std::string>& rows,
                    const std::vector<std::string>& columns) {
-    int row_label = 0;
+    int row_label = lettering_width(row_title);
     for (const std::string& name : rows) row_label = std::max(row_label, lettering_width(name));
     Layout layout{
         settings.width, settings.height, row_label + 2 * gap, letter_height + 2 * gap, 0, 0};
@@ -64,7 +65,10 @@ Image blank_sheet(const Layout& layout, const std::vector<std::string>& rows,
     Image sheet(layout.width, layout.height);
     fill_rectangle(sheet, 0, 0, sheet.width, sheet.height, paper);
     for (std::size_t c = 0; c < columns.size(); ++c)
-        draw_lettering(sheet, layout.x(c), gap, shortened(columns[c], layout.cell_width), ink);
+        draw_lettering(sheet, layout.x(c), gap, shortened("brdf " + columns[c], layout.cell_width),
+                       ink);
+    // "phong" stands on both axes, so each axis says what it is.
+    draw_lettering(sheet, gap, gap, row_title, ink);
     for (std::size_t r = 0; r < rows.size(); ++r)
         draw_lettering(sheet, gap, layout.y(r) + (layout.cell_height - letter_height) / 2, rows[r],
                        ink);

@@ -37,6 +37,9 @@ public:
         column_width(help_column);
         label("Positionals", "Arguments");
     }
+    std::string make_description(const CLI::App* app) const override {
+        return app->get_name() + ": " + app->get_description() + "\n\n";
+    }
     std::string make_usage(const CLI::App*, std::string) const override {
         return "Usage: " + usage_ + "\n";
     }
@@ -63,6 +66,13 @@ struct OptionParser::State {
         app.formatter(std::make_shared<HelpFormatter>(fmt::format("{} {}", name, usage)));
         app.set_help_flag("-h,--help", "show this help");
         app.allow_extras();
+    }
+
+    std::string help() const {
+        // CLI11 parts groups by two empty lines and ends with more.
+        std::string text = CLI::detail::find_and_replace(app.help(), "\n\n\n", "\n\n");
+        text.erase(text.find_last_not_of('\n') + 1);
+        return text + "\n";
     }
 
     /// Every option is a list of texts for CLI11, each of one argument.
@@ -119,20 +129,22 @@ struct OptionParser::State {
 
     void check_required() const {
         for (const Required& need : required)
-            if (need.option->count() == 0)
-                throw Error(Errc::usage, fmt::format("{} is missing; '{} --help' shows the usage",
-                                                     need.name, program));
+            if (need.option->count() == 0 || need.option->results().back().empty())
+                throw Error(Errc::usage,
+                            fmt::format("{} is {}; '{} --help' shows the usage", need.name,
+                                        need.option->count() ? "empty" : "missing", program));
     }
 
-    /// CLI11 reports a missing value as "NAME: 1 required TYPE missing", and no more than that.
-    Error missing_value(const CLI::ArgumentMismatch& mismatch) {
+    /// CLI11 knows two: "NAME: 1 required TYPE missing", and "NAME was given a disallowed flag
+    /// override" for a flag. The sentence is made anew from the name.
+    Error mismatch_error(const CLI::ArgumentMismatch& mismatch) {
         const std::string what = mismatch.what();
-        const std::string name = what.substr(0, what.find(':'));
+        const bool is_flag = what.find(" flag override") != std::string::npos;
+        const std::string name = what.substr(0, what.find(is_flag ? ' ' : ':'));
+        if (is_flag) return Error(Errc::usage, fmt::format("option '--{}' takes no value", name));
         const CLI::Option* option = app.get_option_no_throw(name);
-        return Error(Errc::usage, fmt::format("{} needs a value{}", name,
-                                              option && !option->get_option_text().empty()
-                                                  ? ": " + option->get_option_text()
-                                                  : ""));
+        return Error(Errc::usage, fmt::format("option '{}' needs a value{}", name,
+                                              option ? ": " + option->get_option_text() : ""));
     }
 };
 
@@ -209,11 +221,11 @@ bool OptionParser::parse(const char* const* args) {
     try {
         state_->app.parse(std::move(reversed));
     } catch (const CLI::CallForHelp&) {
-        print(state_->app.help());
+        print(state_->help());
         return false;
     } catch (const CLI::ArgumentMismatch& mismatch) {
         state_->check_unknown();
-        throw state_->missing_value(mismatch);
+        throw state_->mismatch_error(mismatch);
     } catch (const CLI::ParseError& error) {
         state_->check_unknown();
         throw Error(Errc::usage, error.what());
