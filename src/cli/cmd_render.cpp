@@ -1,7 +1,6 @@
 // scanshade render: draws a scene into a PNG file.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <utility>
 
 #include "cli/commands.hpp"
@@ -28,7 +27,7 @@ bool parse_args(OptionParser& options, char** args, RenderArgs& into) {
     options.positional("INPUT", into.input, "an .obj file or a .toml scene");
     options.required_text("-o,--output", "OUT.png", into.output,
                           "the picture; '-' is standard output");
-    options.integer("--repeat", 1, 1'000'000, into.repeat,
+    options.integer("--repeat", 1, 100'000, into.repeat,
                     "draw so many frames, each from the scene's arrays; the last is the picture");
     options.text("--stats", "FILE.json", into.stats,
                  "times of frames and stages, counts, what was left out, rare events, peak memory; "

@@ -29,7 +29,16 @@ struct FrameTimes {
 };
 FrameTimes frame_times(const std::vector<FrameStats>& frames);
 
-/// The JSON text; its keys are stable, scripts read them.
+/// The JSON text. Its keys are stable, scripts read them:
+///     program input width height samples renderer interpolation
+///     load_ms            reading the input, building meshes, making the plan
+///     frames             how many were drawn (--repeat)
+///     frame_ms           {median, min} over the frames
+///     stages             [{name, ran, ms, items, item_name}]; ms is the median over the frames
+///     counts             {objects, faces, triangles, vertices, materials, lights, covered_samples}
+///     left_out           [{stage, reason}]
+///     events             [{name, meaning, count, rate, allowed_rate, among}], those that happened
+///     peak_memory_bytes
 std::string stats_json(const Run& run);
 
 /// The most memory that this process has had resident, in bytes; 0 where the system does not say.
