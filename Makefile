@@ -28,7 +28,8 @@ export PYTHONDONTWRITEBYTECODE := 1
 # ---- files ---------------------------------------------------------------------------------------
 LIB_SOURCES    := $(filter-out src/cli/% src/viewer/%,$(wildcard src/*/*.cpp))
 CLI_SOURCES    := $(wildcard src/cli/*.cpp)
-VIEWER_SOURCES := $(wildcard src/viewer/*.cpp)
+# The viewer takes its options, errors and exit status from the same files.
+VIEWER_SOURCES := $(wildcard src/viewer/*.cpp) src/cli/options.cpp src/cli/console.cpp
 TEST_SOURCES   := $(wildcard tests/*.cpp tests/*/*.cpp)
 object = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(1))
 
@@ -42,6 +43,9 @@ TESTS  := $(BUILD)/scanshade-tests
 all: $(CLI) $(VIEWER)  ## build both programs into build/$(config)/
 
 $(BUILD)/obj/src/viewer/%.o $(BUILD)/obj/tests/viewer/%.o: ALL_CXXFLAGS += $(SDL_CFLAGS)
+
+# Tests of the command line run the program that was built beside them.
+$(BUILD)/obj/tests/cli/%.o: ALL_CXXFLAGS += -DSCANSHADE_BINARY='"$(abspath $(CLI))"'
 
 $(BUILD)/obj/%.o: %.cpp | $(BUILD)/gen/brdf_models.inc
 	@mkdir -p $(@D)
@@ -62,7 +66,7 @@ $(CLI): $(call object,$(CLI_SOURCES)) $(LIB)
 $(VIEWER): $(call object,$(VIEWER_SOURCES)) $(LIB)
 	@echo "  LINK $@"
 	@$(CXX) $(ALL_CXXFLAGS) $^ -o $@ $(LIBS) $(SDL_LIBS)
-$(TESTS): $(call object,$(TEST_SOURCES)) $(LIB)
+$(TESTS): $(call object,$(TEST_SOURCES)) $(LIB) | $(CLI)
 	@echo "  LINK $@"
 	@$(CXX) $(ALL_CXXFLAGS) $^ -o $@ $(LIBS)
 
