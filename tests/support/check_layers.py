@@ -21,8 +21,8 @@ BELOW["brdf"] = BELOW["kernels"] | {"kernels"}
 BELOW["render"] = BELOW["brdf"] | {"brdf"}
 BELOW["report"] = BELOW["render"] | {"render"}
 BELOW["cli"] = BELOW["report"] | {"report"}
-BELOW["viewer"] = BELOW["cli"]
-BELOW["tests"] = BELOW["cli"] | {"cli", "viewer"}
+BELOW["viewer"] = BELOW["cli"] | {"cli"}  # options and exit status; never the other way: SDL
+BELOW["tests"] = BELOW["viewer"] | {"viewer"}
 
 # Included name -> files that may include it.
 LIBRARIES = [

@@ -18,6 +18,8 @@ LAYERED = {
     "include/scanshade/render/plan.hpp": '#include "scanshade/scene/mesh.hpp"\n',
     "src/render/raster.hpp": "",
     "src/render/raster.cpp": '#include "raster.hpp"\n#include "scanshade/num/real.hpp"\n',
+    "src/viewer/window.hpp": '#include "cli/options.hpp"\n',
+    "src/cli/options.hpp": "",
     "src/viewer/window.cpp": '#include "render/raster.hpp"\n#include <SDL2/SDL.h>\n',
     "src/scene/obj.cpp": "#include <tiny_obj_loader.h>\n",
     "src/image/png.cpp": "#include <stb/stb_image.h>\n",
@@ -41,6 +43,7 @@ class Layers(unittest.TestCase):
             ("src/scene/a.cpp", '#include "render/raster.hpp"'),
             ("src/scene/a.cpp", '#include "../render/raster.hpp"'),
             ("include/scanshade/base/a.hpp", '#include "scanshade/num/real.hpp"'),
+            ("src/cli/a.cpp", '#include "viewer/window.hpp"'),
             ("src/cli/a.cpp", '  #  include "../../tests/render/plan_test.cpp"'),
         ]:
             with self.subTest(path=path, text=text):
