@@ -25,7 +25,7 @@ bool is_program(const fs::path& path) {
 /// Beside this program, else on the PATH; empty where it is nowhere.
 fs::path find_viewer() {
     std::error_code ignored;
-    const fs::path beside = fs::read_symlink("/proc/self/exe", ignored).parent_path() / viewer_name;
+    fs::path beside = fs::read_symlink("/proc/self/exe", ignored).parent_path() / viewer_name;
     if (is_program(beside)) return beside;
     const char* path = std::getenv("PATH");
     for (const std::string_view folder : split(path ? path : "", ':'))

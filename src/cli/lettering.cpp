@@ -44,9 +44,8 @@ void draw_lettering(Image& image, int x, int y, const std::string& line, Rgb8 co
     std::vector<Corner> corners(line.size() * 16 * 4 + 4);
     const int quads = stb_easy_font_print(0, 0, ascii(line).data(), nullptr, corners.data(),
                                           int(corners.size() * sizeof(Corner)));
-    for (int q = 0; q < quads; ++q) {
-        const Corner& from = corners[std::size_t(4 * q)];
-        const Corner& to = corners[std::size_t(4 * q + 2)];
+    for (std::size_t q = 0; q < std::size_t(quads); ++q) {
+        const Corner &from = corners[4 * q], &to = corners[4 * q + 2];
         fill_rectangle(image, x + letter_scale * int(from.x), y + letter_scale * int(from.y),
                        letter_scale * int(to.x - from.x), letter_scale * int(to.y - from.y),
                        colour);

@@ -13,6 +13,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// One number of each frame.
+template <class Number>
+std::vector<double> of_frames(const std::vector<FrameStats>& frames, Number number) {
+    std::vector<double> values(frames.size());
+    std::transform(frames.begin(), frames.end(), values.begin(), number);
+    return values;
+}
+
 double median(std::vector<double> values) {
     std::sort(values.begin(), values.end());
     const std::size_t middle = values.size() / 2;
@@ -29,11 +37,10 @@ Json stages_json(const std::vector<FrameStats>& frames) {
     Json stages = Json::array();
     const std::vector<StageStats>& last = frames.back().stages;
     for (std::size_t s = 0; s < last.size(); ++s) {
-        std::vector<double> ms;
-        for (const FrameStats& frame : frames) ms.push_back(frame.stages[s].ms);
+        const auto ms = [s](const FrameStats& frame) { return frame.stages[s].ms; };
         stages.push_back({{"name", last[s].name},
                           {"ran", last[s].ran},
-                          {"ms", median(std::move(ms))},
+                          {"ms", median(of_frames(frames, ms))},
                           {"items", last[s].items},
                           {"item_name", last[s].item_name}});
     }
@@ -78,8 +85,8 @@ Run describe_run(std::string input, const Scene& scene, const Settings& settings
 }
 
 FrameTimes frame_times(const std::vector<FrameStats>& frames) {
-    std::vector<double> ms;
-    for (const FrameStats& frame : frames) ms.push_back(frame.frame_ms);
+    const std::vector<double> ms =
+        of_frames(frames, [](const FrameStats& frame) { return frame.frame_ms; });
     return {median(ms), *std::min_element(ms.begin(), ms.end())};
 }
 
