@@ -30,7 +30,7 @@ HEADERS = ["include/scanshade/eq", "include/scanshade/num"]
 OUTPUT = "docs/equations.md"
 
 NUMBER = re.compile(r"\(([A-G]\d+[a-d]?)\)")
-FORMULA = re.compile(r"^ {4,}(\S.*?)(?: +printed)?\s*((?:\([A-G]\d+[a-d]?\)[,\s]*)+)$")
+FORMULA = re.compile(r"^ {4,}(\S.*?)(?:,? +(?:printed|a factor of|in))?\s*((?:\([A-G]\d+[a-d]?\)[,\s]*)+)$")
 TEST_FILE = re.compile(r"tests/\w+/\w+\.cpp")
 FIELD = re.compile(r"^(error|checks|source)\b")
 # The name that a declaration gives: of a struct, or of a function before its parameters.
@@ -121,12 +121,13 @@ def cell(text):
 
 def equation_rows(chapter, by_number):
     for number, name, note in EQUATIONS:
-        if number[0] != chapter:
+        if number[0] != chapter or number not in by_number:
             continue
-        for entry, formula in by_number.get(number, []):
+        for entry, formula in by_number[number]:
             links = ", ".join(f"[{os.path.basename(path)}](../{path})" for path in entry.tests)
             yield (f"| {number} | {name} | {cell(formula)} | [`{entry.name}`](../{entry.path}) "
-                   f"| {links} | {cell(note)} |")
+                   f"| {links} | {note} |")
+            name, note = "", ""  # once an equation
 
 
 def render(entries):
