@@ -1,0 +1,92 @@
+// The table of shapes, and those that are a formula.
+#include "scanshade/scene/shapes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <utility>
+
+#include "scene/shape_parts.hpp"
+
+namespace scanshade {
+namespace {
+
+struct CosSin {
+    double cos, sin;
+};
+
+/// Cosine and sine of `step` steps of 90°/n: the same bits after a full turn, and exact at
+/// quarter turns.
+CosSin turn(int step, int n) {
+    const int quarter = ((step / n) % 4 + 4) % 4;
+    const double angle = step % n * (std::numbers::pi / 2) / n;
+    const double c = std::cos(angle), s = std::sin(angle);
+    const CosSin rotated[] = {{c, s}, {-s, c}, {-c, -s}, {s, -c}};
+    return rotated[quarter];
+}
+
+/// Texture coordinates that run from 0 to 1 with the rows and columns of a grid.
+glm::dvec2 texcoord(int row, int rows, int column, int columns) {
+    return {double(column) / columns, double(row) / rows};
+}
+
+PolygonSoup make_sphere(int n) {
+    ShapeBuilder builder("sphere");
+    const int rows = 2 * n, columns = 4 * n;
+    builder.add_grid(rows, columns, [&](int row, int column) {
+        // From the south pole up; the seam is at the back, so that u = 0.5 faces +z.
+        const auto [cos_longitude, sin_longitude] = turn(column + 2 * n, n);
+        const auto [depth, radius] = turn(row, n);
+        const glm::dvec3 p(radius * sin_longitude, -depth, radius * cos_longitude);
+        return SurfacePoint{p, texcoord(row, rows, column, columns), p};
+    });
+    return builder.take();
+}
+
+PolygonSoup make_cube(int n) {
+    static constexpr struct {
+        double right[3], up[3];
+    } sides[] = {{{1, 0, 0}, {0, 1, 0}}, {{-1, 0, 0}, {0, 1, 0}}, {{0, 0, -1}, {0, 1, 0}},
+                 {{0, 0, 1}, {0, 1, 0}}, {{1, 0, 0}, {0, 0, -1}}, {{1, 0, 0}, {0, 0, 1}}};
+    ShapeBuilder builder("cube");
+    for (const auto& side : sides) {
+        const glm::dvec3 right(side.right[0], side.right[1], side.right[2]);
+        const glm::dvec3 up(side.up[0], side.up[1], side.up[2]);
+        const glm::dvec3 out = glm::cross(right, up);
+        builder.add_grid(n, n, [&](int row, int column) {
+            // Exactly antisymmetric, so that sides meet to the bit.
+            const double x = double(2 * column - n) / n, y = double(2 * row - n) / n;
+            return SurfacePoint{out + right * x + up * y, texcoord(row, n, column, n), out};
+        });
+    }
+    return builder.take();
+}
+
+PolygonSoup make_plane(int n) {
+    ShapeBuilder builder("plane");
+    builder.add_grid(n, n, [&](int row, int column) {
+        const glm::dvec3 p(double(2 * column - n) / n, 0, double(n - 2 * row) / n);
+        return SurfacePoint{p, texcoord(row, n, column, n), {0, 1, 0}};
+    });
+    return builder.take();
+}
+
+constexpr ShapeInfo shapes[] = {
+    {"sphere", "radius 1; n steps a quarter turn: 4n around, 2n from pole to pole", 24, 1024,
+     make_sphere},
+    {"cube", "side 2, flat normals; n by n quads a side", 1, 1024, make_cube},
+    {"plane", "side 2 in y = 0, facing up, not closed; n by n quads", 1, 2048, make_plane},
+};
+
+}  // namespace
+
+std::span<const ShapeInfo> all_shapes() { return shapes; }
+
+const ShapeInfo* find_shape(std::string_view name) {
+    const auto found = std::find_if(std::begin(shapes), std::end(shapes),
+                                    [&](const ShapeInfo& shape) { return shape.name == name; });
+    return found == std::end(shapes) ? nullptr : found;
+}
+
+}  // namespace scanshade
