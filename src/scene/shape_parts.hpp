@@ -65,4 +65,7 @@ private:
     std::unordered_map<Bits, std::uint32_t, Hash> border_;
 };
 
+/// Newell's teapot (shape_teapot.cpp).
+PolygonSoup make_teapot(int n);
+
 }  // namespace scanshade

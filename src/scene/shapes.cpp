@@ -72,10 +72,51 @@ PolygonSoup make_plane(int n) {
     return builder.take();
 }
 
+PolygonSoup make_torus(int n) {
+    constexpr double ring_radius = 0.7, tube_radius = 0.3;
+    ShapeBuilder builder("torus");
+    const int rows = 4 * n, columns = 8 * n;
+    builder.add_grid(rows, columns, [&](int row, int column) {
+        // Seams at the back and on the inside.
+        const auto [cos_ring, sin_ring] = turn(column + columns / 2, 2 * n);
+        const auto [cos_tube, sin_tube] = turn(row + rows / 2, n);
+        const double radius = ring_radius + tube_radius * cos_tube;
+        return SurfacePoint{{radius * sin_ring, tube_radius * sin_tube, radius * cos_ring},
+                            texcoord(row, rows, column, columns),
+                            {cos_tube * sin_ring, sin_tube, cos_tube * cos_ring}};
+    });
+    return builder.take();
+}
+
+PolygonSoup make_cylinder(int n) {
+    ShapeBuilder builder("cylinder");
+    const int columns = 4 * n;
+    builder.add_grid(n, columns, [&](int row, int column) {
+        const auto [c, s] = turn(column + columns / 2, n);
+        return SurfacePoint{
+            {s, double(2 * row - n) / n, c}, texcoord(row, n, column, columns), {s, 0, c}};
+    });
+    for (const int side : {-1, 1})
+        builder.add_grid(n, columns, [&](int row, int column) {
+            // Rows go out from the centre below, in to the centre above, so both face outward.
+            const auto [c, s] = turn(column + columns / 2, n);
+            const double radius = double(side < 0 ? row : n - row) / n;
+            const double x = radius * s, z = radius * c;
+            return SurfacePoint{{x, side, z}, {0.5 + 0.5 * x, 0.5 - 0.5 * side * z}, {0, side, 0}};
+        });
+    return builder.take();
+}
+
 constexpr ShapeInfo shapes[] = {
-    {"sphere", "radius 1; n steps a quarter turn: 4n around, 2n from pole to pole", 24, 1024,
+    {"sphere", "radius 1; n quads a quarter turn: 4n around, 2n from pole to pole", 24, 1024,
      make_sphere},
+    {"torus", "radii 0.7 and 0.3; n quads a quarter turn of the tube: 4n around it, 8n along it",
+     12, 512, make_torus},
+    {"teapot", "Newell's 32 Bezier patches, open at spout and lid; n by n quads a patch", 10, 512,
+     make_teapot},
     {"cube", "side 2, flat normals; n by n quads a side", 1, 1024, make_cube},
+    {"cylinder", "radius 1, height 2, capped; 4n quads around, n up, n from rim to centre", 16,
+     1024, make_cylinder},
     {"plane", "side 2 in y = 0, facing up, not closed; n by n quads", 1, 2048, make_plane},
 };
 
