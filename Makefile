@@ -9,7 +9,7 @@ JOBS   ?= $(shell nproc 2>/dev/null || echo 2)
 # No -march (instruction sets are chosen at run time), no -ffast-math, no contraction: the same bits
 # everywhere.
 CXXFLAGS_COMMON := -std=c++20 -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion \
-                   -ffp-contract=off -fno-math-errno -Wno-psabi -MMD -MP -Iinclude -Isrc -Itests -I$(BUILD)/gen
+                   -ffp-contract=off -fno-math-errno -Wno-psabi -MD -MP -Iinclude -Isrc -Itests -I$(BUILD)/gen
 CXXFLAGS_release := -O2
 CXXFLAGS_debug   := -O0 -g
 CXXFLAGS_asan    := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all \
@@ -27,7 +27,8 @@ LIBS := -lfmt -lhwy
 # ---- files ---------------------------------------------------------------------------------------
 LIB_SOURCES    := $(filter-out src/cli/% src/viewer/%,$(wildcard src/*/*.cpp))
 CLI_SOURCES    := $(wildcard src/cli/*.cpp)
-VIEWER_SOURCES := $(wildcard src/viewer/*.cpp)
+# The viewer takes its options, errors and exit status from the same files.
+VIEWER_SOURCES := $(wildcard src/viewer/*.cpp) src/cli/options.cpp src/cli/console.cpp
 TEST_SOURCES   := $(wildcard tests/*.cpp tests/*/*.cpp)
 object = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(1))
 
@@ -41,6 +42,9 @@ TESTS  := $(BUILD)/scanshade-tests
 all: $(CLI) $(VIEWER)  ## build both programs into build/$(config)/
 
 $(BUILD)/obj/src/viewer/%.o $(BUILD)/obj/tests/viewer/%.o: ALL_CXXFLAGS += $(SDL_CFLAGS)
+
+# Tests of the command line run the program that was built beside them.
+$(BUILD)/obj/tests/cli/%.o: ALL_CXXFLAGS += -DSCANSHADE_BINARY='"$(abspath $(CLI))"'
 
 $(BUILD)/obj/%.o: %.cpp | $(BUILD)/gen/brdf_models.inc
 	@mkdir -p $(@D)
@@ -61,7 +65,7 @@ $(CLI): $(call object,$(CLI_SOURCES)) $(LIB)
 $(VIEWER): $(call object,$(VIEWER_SOURCES)) $(LIB)
 	@echo "  LINK $@"
 	@$(CXX) $(ALL_CXXFLAGS) $^ -o $@ $(LIBS) $(SDL_LIBS)
-$(TESTS): $(call object,$(TEST_SOURCES)) $(LIB)
+$(TESTS): $(call object,$(TEST_SOURCES)) $(LIB) | $(CLI)
 	@echo "  LINK $@"
 	@$(CXX) $(ALL_CXXFLAGS) $^ -o $@ $(LIBS)
 

@@ -14,8 +14,8 @@ Error::Error(Errc code, std::string sentence)
 Error& Error::at(std::string_view file, long line) {
     if (placed_) return *this;
     placed_ = true;
-    text_ = line > 0 ? fmt::format("{}:{}: {}", file, line, text_)
-                     : fmt::format("{}: {}", file, text_);
+    text_ =
+        line > 0 ? fmt::format("{}:{}: {}", file, line, text_) : fmt::format("{}: {}", file, text_);
     return *this;
 }
 

@@ -11,23 +11,23 @@ namespace scanshade {
 /// One row of the table in events.cpp for each; the order is the same.
 enum class Event {
     // while loading
-    degenerate_face,      // fewer than three distinct corners, or no area
-    concave_face,         // triangulated by ear clipping
-    self_crossing_face,   // no clean triangulation exists
-    cancelled_normal,     // averaged vertex normal of zero length: the face normal was taken
-    repaired_normal,      // a normal in the file of zero length or not finite
-    missing_material,     // a name that no material library defines
-    transparency_ignored, // d < 1: drawn opaque
+    degenerate_face,       // fewer than three distinct corners, or no area
+    concave_face,          // triangulated by ear clipping
+    self_crossing_face,    // no clean triangulation exists
+    cancelled_normal,      // averaged vertex normal of zero length: the face normal was taken
+    repaired_normal,       // a normal in the file of zero length or not finite
+    missing_material,      // a name that no material library defines
+    transparency_ignored,  // d < 1: drawn opaque
     // while drawing
-    near_clipped,         // triangle cut by the near or far plane
-    guard_clipped,        // triangle cut by the guard band
-    zero_area,            // triangle of no area after snapping
-    clamped_weight,       // homogeneous weight below 0 by rounding
-    edges_fallback,       // polygon not strictly convex on screen: triangulated
-    patch_fallback,       // quad without an inverse bilinear map: barycentric
-    zero_normal,          // interpolated normal of zero length: the face normal was taken
-    light_at_surface,     // light closer than its radius
-    not_finite,           // colour that is Inf or NaN: drawn black
+    near_clipped,      // triangle cut by the near or far plane
+    guard_clipped,     // triangle cut by the guard band
+    zero_area,         // triangle of no area after snapping
+    clamped_weight,    // homogeneous weight below 0 by rounding
+    edges_fallback,    // polygon not strictly convex on screen: triangulated
+    patch_fallback,    // quad without an inverse bilinear map: barycentric
+    zero_normal,       // interpolated normal of zero length: the face normal was taken
+    light_at_surface,  // light closer than its radius
+    not_finite,        // colour that is Inf or NaN: drawn black
     count_
 };
 

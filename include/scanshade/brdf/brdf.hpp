@@ -20,13 +20,13 @@ enum class ParamRole : std::uint8_t { none, diffuse, specular, exponent };
 
 /// One parameter: from this row come its option, its checks, its slider and its documentation.
 struct ParamInfo {
-    std::string_view name;     // "kd", as files and --set spell it
-    std::string_view symbol;   // "k_d", as equations spell it
+    std::string_view name;    // "kd", as files and --set spell it
+    std::string_view symbol;  // "k_d", as equations spell it
     ParamKind kind;
     ParamRole role;
-    double min, max;           // inclusive; an input outside is an error
-    double standard;           // default
-    std::string_view unit;     // "" for pure numbers
+    double min, max;        // inclusive; an input outside is an error
+    double standard;        // default
+    std::string_view unit;  // "" for pure numbers
     std::string_view meaning;
 };
 
@@ -34,8 +34,8 @@ enum class Energy : std::uint8_t { conserving, may_exceed_one };
 
 /// What a model says of itself; property tests hold it to every word.
 struct Promises {
-    bool reciprocal;           // f_r(ω_i, ω_o) = f_r(ω_o, ω_i)
-    Energy energy;             // albedo ≤ 1 for all parameters in range
+    bool reciprocal;                                   // f_r(ω_i, ω_o) = f_r(ω_o, ω_i)
+    Energy energy;                                     // albedo ≤ 1 for all parameters in range
     double (*error_u)(const MaterialParams<double>&);  // relative error of f_cos in u of its number
                                                        // type, cosines taken as exact
 };
@@ -66,9 +66,9 @@ struct BrdfInfo {
     std::array<double, 3> (*f_cos_f64)(const Cosines<double>&, const MaterialParams<double>&);
     std::array<float, 3> (*f_cos_f32)(const Cosines<float>&, const MaterialParams<float>&);
 
-    IlluminateFn<float> illuminate_f32;    // one sample at a time: the plain twin
+    IlluminateFn<float> illuminate_f32;  // one sample at a time: the plain twin
     IlluminateFn<double> illuminate_f64;
-    IlluminateFn<float> illuminate_simd;   // whole vectors, dispatched at run time
+    IlluminateFn<float> illuminate_simd;  // whole vectors, dispatched at run time
 };
 
 /// Every model that has a file, by name.
@@ -80,10 +80,10 @@ const BrdfInfo* find_brdf(std::string_view name);
 /// A material bound to a model, every parameter in range.
 struct ResolvedMaterial {
     const BrdfInfo* brdf;
-    bool unlit;                          // the diffuse colour, whatever the light
+    bool unlit;  // the diffuse colour, whatever the light
     MaterialParams<double> params;
-    std::vector<std::string> mapped;     // sentences: parameters of another model and what became
-                                         // of them
+    std::vector<std::string> mapped;  // sentences: parameters of another model and what became
+                                      // of them
 };
 
 /// Binds a material to `brdf_override` (where not empty) or its own model, maps parameters of

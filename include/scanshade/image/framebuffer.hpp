@@ -14,9 +14,9 @@ struct Framebuffer {
     static constexpr std::uint32_t no_triangle = 0xffffffffu;
 
     int width = 0, height = 0;
-    std::vector<float> r, g, b;       // linear radiance, before exposure
-    std::vector<float> depth;         // near/w, in (0, 1]; 0: nothing there
-    std::vector<std::uint32_t> id;    // triangle, counted through all objects; no_triangle: none
+    std::vector<float> r, g, b;     // linear radiance, before exposure
+    std::vector<float> depth;       // near/w, in (0, 1]; 0: nothing there
+    std::vector<std::uint32_t> id;  // triangle, counted through all objects; no_triangle: none
 
     Framebuffer() = default;
     Framebuffer(int w, int h);

@@ -8,7 +8,8 @@
 
 namespace scanshade {
 
-inline constexpr int max_image_side = 16384;  // pixels; larger is refused before anything is allocated
+inline constexpr int max_image_side =
+    16384;  // pixels; larger is refused before anything is allocated
 
 /// 8-bit RGB, rows from the top, no padding.
 struct Image {
@@ -20,16 +21,14 @@ struct Image {
     std::uint8_t* pixel(int x, int y) {
         return &rgb[3 * (std::size_t(y) * std::size_t(width) + std::size_t(x))];
     }
-    const std::uint8_t* pixel(int x, int y) const {
-        return const_cast<Image*>(this)->pixel(x, y);
-    }
+    const std::uint8_t* pixel(int x, int y) const { return const_cast<Image*>(this)->pixel(x, y); }
 };
 
 /// What `scanshade compare` and the golden tests say about two pictures of the same size.
 struct ImageDiff {
-    int max_delta = 0;          // largest difference of one byte
-    std::uint64_t count = 0;    // pixels that differ in any channel
-    Image picture;              // |a − b|, stretched so that the largest difference is 255
+    int max_delta = 0;        // largest difference of one byte
+    std::uint64_t count = 0;  // pixels that differ in any channel
+    Image picture;            // |a − b|, stretched so that the largest difference is 255
 };
 
 /// Throws Error(format) where the sizes differ.

@@ -16,7 +16,7 @@ std::vector<std::uint8_t> encode_png(const Image& image);
 /// under it. "-" writes to standard output. Throws Error(file).
 void save_png(const Image& image, const std::filesystem::path& path);
 
-/// Reads a picture as 8-bit RGB (grey is spread, alpha dropped, 16 bits rounded down).
+/// Reads a PNG, JPEG, BMP or TGA picture as 8-bit RGB (grey is spread, alpha dropped, 16 bits rounded down).
 /// Throws Error: file (cannot be read), format (not a picture, or too large).
 Image load_image(const std::filesystem::path& path);
 

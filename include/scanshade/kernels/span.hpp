@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "scanshade/num/exponent.hpp"
+
 namespace scanshade {
 
 /// Kernels work on whole groups of this many samples; arrays are padded up to it.
@@ -47,17 +49,10 @@ struct LightTerm {
 /// All light that falls on a scene.
 template <class T>
 struct Lighting {
-    T eye[3];        // perspective: position of the eye; orthographic: unit vector towards it
-    T eye_scale;     // 1 perspective, 0 orthographic: ω_o = normalise(eye − eye_scale · P)
-    T ambient[3];    // I_a a channel
+    T eye[3];      // s · position of the eye; orthographic: unit vector towards it
+    T eye_scale;   // s, a power of two; orthographic: 0. ω_o = normalise(eye − eye_scale · P)
+    T ambient[3];  // I_a a channel
     std::vector<LightTerm<T>> lights;
-};
-
-/// An exponent s ≥ 0 in two parts, decided once a material: whole by squaring, the rest by
-/// exp(f·log x), which is left out where it is 0.
-struct Exponent {
-    std::uint32_t whole = 0;
-    double fraction = 0;  // [0, 1)
 };
 
 inline constexpr std::size_t max_params = 8;
@@ -65,10 +60,10 @@ inline constexpr std::size_t max_params = 8;
 /// A material's numbers as kernels see them; what the indices mean is the model's business.
 template <class T>
 struct MaterialParams {
-    T value[max_params][3];          // a number has it in all three
-    Exponent exponent[max_params];   // of parameters of kind exponent
-    T ka[3];                         // factor of the ambient light
-    T emission[3];                   // radiance added
+    T value[max_params][3];         // a number has it in all three
+    Exponent exponent[max_params];  // of parameters of kind exponent
+    T ka[3];                        // factor of the ambient light
+    T emission[3];                  // radiance added
 };
 
 /// What a kernel noticed.

@@ -15,14 +15,14 @@ namespace scanshade {
 /// One object's part of the plan.
 struct ObjectPlan {
     Shading shading;
-    std::uint32_t first_triangle;            // number of its triangle 0 in the whole scene
-    std::vector<std::uint32_t> materials;    // mesh material number → index into the plan's
+    std::uint32_t first_triangle;          // number of its triangle 0 in the whole scene
+    std::vector<std::uint32_t> materials;  // mesh material number → index into the plan's
 };
 
 /// Everything that drawing decides on, made by one pure function. Comparable through its text.
 struct RenderPlan {
     // what is drawn, by which method
-    int width, height, samples_side;         // samples_side² samples a pixel
+    int width, height, samples_side;  // samples_side² samples a pixel
     Interpolation interpolation;
     RendererKind renderer;
     Cull cull;
@@ -32,11 +32,11 @@ struct RenderPlan {
 
     // what is needed; each with the count that decides it
     std::uint64_t triangles = 0, vertices = 0;
-    bool vertex_light = false;     // some object is gouraud
-    bool face_light = false;       // some object is flat
-    bool pixel_light = false;      // some object is phong
-    bool texture = false;          // some material in use has a texture
-    bool lights = false;           // some material in use is lit
+    bool vertex_light = false;  // some object is gouraud
+    bool face_light = false;    // some object is flat
+    bool pixel_light = false;   // some object is phong
+    bool texture = false;       // some material in use has a texture
+    bool lights = false;        // some material in use is lit
 };
 
 /// `scene` must be normalised. Throws Error for materials that no model can draw.
@@ -46,7 +46,7 @@ RenderPlan make_plan(const Scene& scene, const Settings& settings);
 struct PlanLine {
     std::string_view stage;
     bool runs;
-    std::string reason;   // with the counts
+    std::string reason;  // with the counts
 };
 std::vector<PlanLine> explain(const RenderPlan& plan);
 

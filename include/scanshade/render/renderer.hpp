@@ -16,9 +16,9 @@ namespace scanshade {
 struct StageStats {
     std::string_view name;
     bool ran = false;
-    double ms = 0;                 // all samples together
-    std::uint64_t items = 0;       // what the stage worked on
-    std::string_view item_name;    // "triangles", "samples", ...
+    double ms = 0;               // all samples together
+    std::uint64_t items = 0;     // what the stage worked on
+    std::string_view item_name;  // "triangles", "samples", ...
 };
 
 struct FrameStats {

@@ -12,13 +12,13 @@ enum class Projection { perspective, orthographic };
 /// A camera in world space; right-handed, looks from position to focal_point.
 struct Camera {
     glm::dvec3 position{0, 0, 5};
-    glm::dvec3 focal_point{0};         // not the position
-    glm::dvec3 view_up{0, 1, 0};       // not along the view direction
-    double view_angle_deg = 30;        // vertical, (0, 180); in orthographic projection the height
-                                       // of the picture is what this angle sees at the focal point
+    glm::dvec3 focal_point{0};    // not the position
+    glm::dvec3 view_up{0, 1, 0};  // not along the view direction
+    double view_angle_deg = 30;   // vertical, (0, 180); in orthographic projection the height
+                                  // of the picture is what this angle sees at the focal point
     Projection projection = Projection::perspective;
-    std::optional<double> near, far;   // distances along the view direction, 0 < near < far;
-                                       // default: fitted to the bounds
+    std::optional<double> near, far;  // distances along the view direction, 0 < near < far;
+                                      // default: fitted to the bounds
 };
 
 /// Sphere around everything that is drawn.

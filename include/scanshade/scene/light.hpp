@@ -22,14 +22,14 @@ std::span<const std::string_view> light_kind_names();
 /// the light would show: E = π f_att I.
 struct Light {
     LightKind kind = LightKind::point;
-    glm::dvec3 position{0};              // point, spot, cosine
-    glm::dvec3 direction{0, -1, 0};      // directional, spot, cosine: where the light shines to;
-                                         // any length but 0
-    glm::dvec3 intensity{1};             // ≥ 0, a channel
-    glm::dvec3 attenuation{1, 0, 0};     // c, l, q ≥ 0, not all 0: f_att = 1/(c + l d + q d²)
-    double cutoff_deg = 30;              // spot: half angle τ of the cone, (0, 180]
-    double penumbra_deg = 0;             // spot: width of the soft rim inside the cone, [0, cutoff]
-    std::optional<double> radius;        // > 0: d is at least this; default 1e-4 of the scene's
+    glm::dvec3 position{0};           // point, spot, cosine
+    glm::dvec3 direction{0, -1, 0};   // directional, spot, cosine: where the light shines to;
+                                      // any length but 0
+    glm::dvec3 intensity{1};          // ≥ 0, a channel
+    glm::dvec3 attenuation{1, 0, 0};  // c, l, q ≥ 0, not all 0: f_att = 1/(c + l d + q d²)
+    double cutoff_deg = 30;           // spot: half angle τ of the cone, (0, 180]
+    double penumbra_deg = 0;          // spot: width of the soft rim inside the cone, [0, cutoff]
+    std::optional<double> radius;     // > 0: d is at least this; default 1e-4 of the scene's
 };
 
 }  // namespace scanshade

@@ -23,10 +23,10 @@ struct ParamSetting {
 /// that `--brdf` and `--set` can still change it.
 struct Material {
     std::string name = "default";
-    std::string brdf = "blinn-phong";        // or "unlit"
-    std::vector<ParamSetting> parameters;    // what is not set has the model's default
-    std::shared_ptr<const Texture> map_kd;   // multiplies the diffuse parameter and ka; may be null
-    std::string place;                       // where it was defined, for messages
+    std::string brdf = "blinn-phong";       // or "unlit"
+    std::vector<ParamSetting> parameters;   // what is not set has the model's default
+    std::shared_ptr<const Texture> map_kd;  // multiplies the diffuse parameter and ka; may be null
+    std::string place;                      // where it was defined, for messages
 
     const ParamSetting* find(std::string_view parameter) const {
         for (const ParamSetting& p : parameters)

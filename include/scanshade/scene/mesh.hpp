@@ -22,13 +22,14 @@ struct PolygonSoup {
         std::uint32_t position, texcoord, normal;
     };
     std::string name;
-    std::vector<glm::dvec3> positions;         // finite
-    std::vector<glm::dvec2> texcoords;         // finite; v up, as OBJ has it
-    std::vector<glm::dvec3> normals;           // finite, any length
-    std::vector<std::uint32_t> face_begin{0};  // face f has corners [face_begin[f], face_begin[f+1])
-    std::vector<Corner> corners;               // counter-clockwise seen from the front
+    std::vector<glm::dvec3> positions;  // finite
+    std::vector<glm::dvec2> texcoords;  // finite; v up, as OBJ has it
+    std::vector<glm::dvec3> normals;    // finite, any length
+    std::vector<std::uint32_t> face_begin{
+        0};                       // face f has corners [face_begin[f], face_begin[f+1])
+    std::vector<Corner> corners;  // counter-clockwise seen from the front
     std::vector<std::uint32_t> face_material;  // per face: index into the materials beside the soup
-    std::vector<std::uint32_t> face_smoothing; // per face: smoothing group, 0: off; may be empty
+    std::vector<std::uint32_t> face_smoothing;  // per face: smoothing group, 0: off; may be empty
 
     std::size_t face_count() const { return face_begin.size() - 1; }
 };

@@ -12,10 +12,10 @@
 namespace scanshade {
 
 struct ObjFile {
-    PolygonSoup soup;                  // all faces of the file in their order
-    std::vector<Material> materials;   // at least one; face_material counts into it
+    PolygonSoup soup;                 // all faces of the file in their order
+    std::vector<Material> materials;  // at least one; face_material counts into it
     EventCounts events;
-    std::vector<std::string> warnings; // a material library or texture that is not there, ...
+    std::vector<std::string> warnings;  // a material library or texture that is not there, ...
 };
 
 /// Reads an OBJ file, its material libraries and textures. Attributes are finite and indices in

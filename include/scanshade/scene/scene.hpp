@@ -21,21 +21,21 @@ namespace scanshade {
 /// A placed mesh. Objects may share meshes.
 struct Object {
     std::shared_ptr<const Mesh> mesh;
-    glm::dmat4 to_world{1};                  // affine, invertible
-    std::vector<std::uint32_t> materials;    // mesh material number → index into Scene::materials
-    std::optional<Shading> shading;          // instead of the settings', unless that was given as
-                                             // an option
+    glm::dmat4 to_world{1};                // affine, invertible
+    std::vector<std::uint32_t> materials;  // mesh material number → index into Scene::materials
+    std::optional<Shading> shading;        // instead of the settings', unless that was given as
+                                           // an option
 };
 
 struct Scene {
-    std::string name;                        // file name without folder and extension
-    std::vector<Object> objects;             // drawn in this order: equal depth, first wins
+    std::string name;             // file name without folder and extension
+    std::vector<Object> objects;  // drawn in this order: equal depth, first wins
     std::vector<Material> materials;
     std::vector<Light> lights;
-    glm::dvec3 ambient{0};                   // I_a, radiance
-    std::optional<Camera> camera;            // none: framed on the bounds
-    EventCounts events;                      // of loading, all meshes together
-    std::vector<std::string> warnings;       // sentences for people, e.g. a texture not found
+    glm::dvec3 ambient{0};              // I_a, radiance
+    std::optional<Camera> camera;       // none: framed on the bounds
+    EventCounts events;                 // of loading, all meshes together
+    std::vector<std::string> warnings;  // sentences for people, e.g. a texture not found
 
     std::size_t triangle_count() const;
     /// Sphere around the box of all vertices in world space; radius 1 where nothing is there.

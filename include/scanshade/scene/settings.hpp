@@ -17,10 +17,10 @@
 
 namespace scanshade {
 
-enum class Shading { flat, gouraud, phong };                // where reflection is evaluated
-enum class Interpolation { perspective, edges, patch };     // how values travel inside a polygon
-enum class RendererKind { scalar_f32, scalar_f64 };         // the numbers that shading uses
-enum class Transfer { srgb, linear };                       // from radiance to bytes
+enum class Shading { flat, gouraud, phong };             // where reflection is evaluated
+enum class Interpolation { perspective, edges, patch };  // how values travel inside a polygon
+enum class RendererKind { scalar_f32, scalar_f64 };      // the numbers that shading uses
+enum class Transfer { srgb, linear };                    // from radiance to bytes
 enum class Cull { none, back };
 enum class UpAxis { y, z };
 
@@ -30,23 +30,23 @@ std::span<const std::string_view> interpolation_names();
 std::span<const std::string_view> renderer_names();
 
 struct Settings {
-    int width = 960, height = 720;             // pixels, 1 to 16384
+    int width = 960, height = 720;  // pixels, 1 to 16384
     Shading shading = Shading::phong;
-    std::string brdf;                          // every material gets this model; empty: its own
-    std::vector<ParamSetting> set;             // every material gets these parameters
+    std::string brdf;               // every material gets this model; empty: its own
+    std::vector<ParamSetting> set;  // every material gets these parameters
     Interpolation interpolation = Interpolation::perspective;
     RendererKind renderer = RendererKind::scalar_f32;
-    int samples = 1;                           // a square number, 1 to 1024
+    int samples = 1;  // a square number, 1 to 1024
     Transfer transfer = Transfer::srgb;
-    double exposure_ev = 0;                    // radiance is multiplied by 2^EV
-    glm::dvec3 background{0.05, 0.06, 0.08};   // linear radiance
+    double exposure_ev = 0;                   // radiance is multiplied by 2^EV
+    glm::dvec3 background{0.05, 0.06, 0.08};  // linear radiance
     std::optional<glm::dvec3> camera_position, camera_focal_point, camera_view_up;
     std::optional<double> camera_view_angle_deg;
     std::optional<Projection> projection;
-    std::vector<Light> lights;                 // not empty: instead of the scene's
+    std::vector<Light> lights;  // not empty: instead of the scene's
     NormalOptions normals;
-    bool mtl_ambient = false;                  // k_a from the MTL file instead of from Kd
-    UpAxis up = UpAxis::y;                     // of OBJ files
+    bool mtl_ambient = false;  // k_a from the MTL file instead of from Kd
+    UpAxis up = UpAxis::y;     // of OBJ files
     Cull cull = Cull::none;
 
     std::set<std::string, std::less<>> given;  // names of options given on the command line
@@ -55,11 +55,11 @@ struct Settings {
 
 /// One shared option.
 struct OptionInfo {
-    std::string_view name;         // without the dashes
-    std::string_view values;       // "W,H", "flat|gouraud|phong", ...
-    std::string_view meaning;      // one line
+    std::string_view name;     // without the dashes
+    std::string_view values;   // "W,H", "flat|gouraud|phong", ...
+    std::string_view meaning;  // one line
     bool repeatable = false;
-    bool is_flag = false;          // takes no value; in a scene file: true
+    bool is_flag = false;  // takes no value; in a scene file: true
     /// Parses and stores a value; throws Error(usage) that says what would be right.
     void (*apply)(Settings& settings, std::string_view value);
 };

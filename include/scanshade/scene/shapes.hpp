@@ -13,8 +13,8 @@ namespace scanshade {
 /// T-junctions) and counter-clockwise from outside. One material: number 0.
 struct ShapeInfo {
     std::string_view name;
-    std::string_view meaning;      // size, parametrisation, what tessellation n means
-    int default_tessellation;      // n
+    std::string_view meaning;  // size, parametrisation, what tessellation n means
+    int default_tessellation;  // n
     int max_tessellation;
     PolygonSoup (*make)(int tessellation);  // 1 ≤ n ≤ max_tessellation
 };

@@ -1,0 +1,111 @@
+// Chapter B of the formula sheet: reflection.
+#if defined(SCANSHADE_EQ_REFLECTION_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef SCANSHADE_EQ_REFLECTION_HPP
+#undef SCANSHADE_EQ_REFLECTION_HPP
+#else
+#define SCANSHADE_EQ_REFLECTION_HPP
+#endif
+
+#include "scanshade/num/exponent.hpp"
+#include "scanshade/num/rgb.hpp"
+#include "scanshade/num/vec3.hpp"
+
+SCANSHADE_TARGET_BEGIN;
+
+/// Lambert's BRDF: the same radiance in every direction.
+///
+///     f_r = ρ_d/π                                                                        (B6)
+///
+/// in      rho_d    albedo, a channel                 [0, 1]              1
+/// out     f_r                                        [0, 1/π]            1/sr
+/// error   ≤ 1.5 u: 1/π is rounded, and the product
+/// checks  albedo is ρ_d by quadrature                tests/eq/reflection_test.cpp
+/// source  Lambert 1760
+template <Real R>
+Rgb<R> lambert_brdf(const Rgb<R>& rho_d) {
+    return rho_d * R(inv_pi);
+}
+
+/// Mirror direction of ω_i at a surface with normal n.
+///
+///     ω_r = 2 (ω_i·n) n − ω_i                                                            (B7)
+///
+/// in      wi       direction to the light            unit                1
+///         n        normal                            unit                1
+/// out     ω_r                                        unit                1
+/// error   ≤ 9 u a component: cosine 3, doubled exactly, products 1, difference 1
+/// checks  ω_r·n = ω_i·n; twice is the identity       tests/eq/reflection_test.cpp
+/// source  the formula sheet
+template <Real R>
+Vec3<R> mirror_direction(const Vec3<R>& wi, const Vec3<R>& n) {
+    return n * (R(2) * dot(wi, n)) - wi;
+}
+
+/// cosˢ of a cosine, for specular highlights.
+///
+///     xˢ in                                                                              (B12)
+///
+/// computed as x^⌊s⌋ by squaring, times exp(f·log x) for the fraction f of s, which most materials
+/// do not have. s = 0 gives 1, at x = 0 too; otherwise x ≤ 0 gives 0.
+/// in      x        cosine                            ≤ 1                 1
+///         s        exponent                          [0, 4e9]            1
+/// out     xˢ                                         [0, 1]              1
+/// error   x taken as exact: ≤ (s − 1) u relative for a whole s ≥ 1, as each squaring doubles the
+///         error and adds a rounding; a fraction adds (4 + 10 f |log x|) u for log's 4 ulp and
+///         exp's 1. Results below the smallest normal number lose digits.
+/// checks  against long double to the bound, every s from 0 to 1e6   tests/eq/reflection_test.cpp
+/// source  binary powering, Knuth vol. 2, 4.6.3
+template <Real R>
+R pow_shininess(R x, const Exponent& s) {
+    const auto positive = x > R(0);
+    R base = select(positive, x, R(0));
+    R result = R(1);
+    for (std::uint32_t bits = s.whole; bits != 0; bits >>= 1) {
+        if (bits & 1) result = result * base;
+        base = base * base;
+    }
+    if (s.fraction > 0) {
+        const R log_x = log(select(positive, x, R(1)));
+        result = result * select(positive, exp(R(s.fraction) * log_x), R(0));
+    }
+    return result;
+}
+
+/// Phong reflection of one light: what of L_i leaves towards the viewer.
+///
+///     L_o = L_i (k_d cosθ_i + k_s cosⁿθ_r)                                               (B12)
+///
+/// computed for L_i = 1. Blinn's form is the same function with cosθ_h for cosθ_r. B13 divides
+/// it by cosθ_i and is unbounded at grazing light, so it is not computed.
+/// in      k_d, k_s reflectance, a channel            [0, 1]              1
+///         n        exponent                          [0, 1e6]            1
+///         cos_i    n·ω_i                             (0, 1]              1
+///         cos_r    ω_r·ω_o or n·h                    [0, 1]              1
+/// out     L_o/L_i                                    [0, 2]              1
+/// error   ≤ (n + 7) u for a whole n, of terms that are all positive: the power (n − 1),
+///         its product 1, sum 1; see pow_shininess for the rest
+/// checks  diffuse and specular alone; n = 0          tests/eq/reflection_test.cpp
+/// source  Phong 1975
+template <Real R>
+Rgb<R> phong_reflection(const Rgb<R>& k_d, const Rgb<R>& k_s, const Exponent& n, R cos_i, R cos_r) {
+    return k_d * cos_i + k_s * pow_shininess(cos_r, n);
+}
+
+/// Half vector: the normal of the mirror that would show the light to the viewer.
+///
+///     h = (ω_i + ω_o)/‖ω_i + ω_o‖                                                        (B15)
+///
+/// computed as printed; opposite directions have none and give the zero vector
+/// in      wi, wo   directions to light and viewer    unit                1
+/// out     h                                          unit, or 0          1
+/// error   ≤ 5 u of ‖ω_i + ω_o‖⁻¹ a component: the sum cancels as the directions become opposite
+/// checks  equal angles to both; opposite directions give 0   tests/eq/reflection_test.cpp
+/// source  Blinn 1977
+template <Real R>
+Vec3<R> half_vector(const Vec3<R>& wi, const Vec3<R>& wo) {
+    return normalise(wi + wo);
+}
+
+SCANSHADE_TARGET_END;
+
+#endif

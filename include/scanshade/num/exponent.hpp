@@ -1,0 +1,28 @@
+// A specular exponent, split once a material. Plain data: crosses between targets.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace scanshade {
+
+/// An exponent s ≥ 0 as whole + fraction: the whole part is raised by squaring, the fraction by
+/// exp(f·log x), which is left out where it is 0.
+struct Exponent {
+    std::uint32_t whole = 0;
+    double fraction = 0;  // [0, 1)
+};
+
+/// s in [0, 4e9].
+inline Exponent make_exponent(double s) {
+    const double whole = std::floor(s);
+    return {static_cast<std::uint32_t>(whole), s - whole};
+}
+
+/// Relative error of xˢ by pow_shininess, in u of its number type, for x ≥ 2^-20.
+inline double power_error_u(const Exponent& s) {
+    const double whole = s.whole > 0 ? s.whole - 1.0 : 0.0;
+    return whole + (s.fraction > 0 ? 5 + 10 * s.fraction * 20 * 0.6931471805599453 : 0);
+}
+
+}  // namespace scanshade

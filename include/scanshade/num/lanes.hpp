@@ -1,0 +1,73 @@
+// A vector of floats as one number, for [S] files: `hwy/highway.h` is included by then.
+#if defined(SCANSHADE_NUM_LANES_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef SCANSHADE_NUM_LANES_HPP
+#undef SCANSHADE_NUM_LANES_HPP
+#else
+#define SCANSHADE_NUM_LANES_HPP
+#endif
+
+#include <hwy/highway.h>
+// math-inl.h uses the operations of highway.h
+#include <hwy/contrib/math/math-inl.h>
+
+#include "scanshade/num/real.hpp"
+
+SCANSHADE_TARGET_BEGIN;
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// What a comparison of Lanes gives. A class of ours, so that its operations are found where a
+/// template is instantiated.
+struct LanesMask {
+    hn::Mask<hn::CappedTag<float, 16>> m;
+};
+
+/// As many floats as a register of this target has, at most 16. Arithmetic is IEEE, element by
+/// element, never fused: + − × / and sqrt have the bits of float.
+class Lanes {
+public:
+    using Tag = hn::CappedTag<float, 16>;
+    using Mask = LanesMask;
+
+    Lanes() = default;
+    explicit Lanes(hn::Vec<Tag> value) : v(value) {}
+    explicit Lanes(double value) : v(hn::Set(Tag(), static_cast<float>(value))) {}
+    explicit Lanes(float value) : v(hn::Set(Tag(), value)) {}
+    explicit Lanes(int value) : v(hn::Set(Tag(), static_cast<float>(value))) {}
+
+    hn::Vec<Tag> v;
+};
+
+inline Lanes operator+(Lanes a, Lanes b) { return Lanes(hn::Add(a.v, b.v)); }
+inline Lanes operator-(Lanes a, Lanes b) { return Lanes(hn::Sub(a.v, b.v)); }
+inline Lanes operator*(Lanes a, Lanes b) { return Lanes(hn::Mul(a.v, b.v)); }
+inline Lanes operator/(Lanes a, Lanes b) { return Lanes(hn::Div(a.v, b.v)); }
+inline Lanes operator-(Lanes a) { return Lanes(hn::Neg(a.v)); }
+inline Lanes::Mask operator>(Lanes a, Lanes b) { return {hn::Gt(a.v, b.v)}; }
+inline Lanes::Mask operator<(Lanes a, Lanes b) { return {hn::Lt(a.v, b.v)}; }
+
+template <>
+struct RealTraits<Lanes> {
+    using Scalar = float;
+    static constexpr std::size_t width = hn::MaxLanes(Lanes::Tag());
+    static Lanes load(const float* from) { return Lanes(hn::LoadU(Lanes::Tag(), from)); }
+    static void store(Lanes x, float* to) { hn::StoreU(x.v, Lanes::Tag(), to); }
+    static Lanes iota() { return Lanes(hn::Iota(Lanes::Tag(), 0.0f)); }
+};
+
+inline Lanes select(Lanes::Mask mask, Lanes a, Lanes b) {
+    return Lanes(hn::IfThenElse(mask.m, a.v, b.v));
+}
+inline Lanes::Mask mask_and(Lanes::Mask a, Lanes::Mask b) { return {hn::And(a.m, b.m)}; }
+inline std::uint64_t count_true(Lanes::Mask mask) { return hn::CountTrue(Lanes::Tag(), mask.m); }
+// By selection, so that a NaN goes the same way as in the scalar twins on every target.
+inline Lanes max(Lanes a, Lanes b) { return select(a > b, a, b); }
+inline Lanes min(Lanes a, Lanes b) { return select(a < b, a, b); }
+inline Lanes sqrt(Lanes x) { return Lanes(hn::Sqrt(x.v)); }
+inline Lanes abs(Lanes x) { return Lanes(hn::Abs(x.v)); }
+inline Lanes exp(Lanes x) { return Lanes(hn::Exp(Lanes::Tag(), x.v)); }  // ≤ 1 ulp, as documented
+inline Lanes log(Lanes x) { return Lanes(hn::Log(Lanes::Tag(), x.v)); }  // ≤ 4 ulp, as documented
+
+SCANSHADE_TARGET_END;
+
+#endif

@@ -1,0 +1,28 @@
+// Opens a model file: src/brdf/<SCANSHADE_MODEL>.cpp is compiled once for each instruction set by
+// Highway's re-inclusion, and this header with it; so it has no include guard.
+#define SCANSHADE_SIMD
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "scanshade/brdf/brdf.hpp"
+
+#define SCANSHADE_TEXT(x) SCANSHADE_TEXT_(x)
+#define SCANSHADE_TEXT_(x) #x
+#undef HWY_TARGET_INCLUDE
+// A blank would become part of the file name.
+// clang-format off
+#define HWY_TARGET_INCLUDE SCANSHADE_TEXT(brdf/SCANSHADE_MODEL.cpp)
+// clang-format on
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "kernels/illuminate.hpp"
+#include "scanshade/num/lanes.hpp"
+
+SCANSHADE_TARGET_BEGIN;

@@ -1,0 +1,38 @@
+// Phong, as printed in C7: not normalised.
+//
+//     f_r(ω_i, ω_o) cosθ_i = (k_d cosθ_i + k_s cosˢθ_r)/π          [1/sr]     (C7, B12)
+//
+// source  Phong 1975
+#define SCANSHADE_MODEL phong
+#include "brdf/model_begin.hpp"
+
+struct phong {
+    static constexpr std::string_view name = "phong";
+    static constexpr std::string_view title = "Phong: highlight about the mirror direction";
+    static constexpr std::string_view equation =
+        "f_r cosθ_i = (k_d cosθ_i + k_s (ω_r·ω_o)ˢ)/π   (C7, not normalised)";
+    static constexpr std::string_view source =
+        "Phong 1975, Illumination for computer generated pictures";
+
+    enum { kd, ks, shininess };
+    static constexpr ParamInfo params[] = {
+        {"kd", "k_d", ParamKind::rgb, ParamRole::diffuse, 0, 1, 0.8, "", "diffuse reflectance"},
+        {"ks", "k_s", ParamKind::rgb, ParamRole::specular, 0, 1, 0.25, "", "specular weight"},
+        {"shininess", "s", ParamKind::exponent, ParamRole::exponent, 0, 1e6, 40, "",
+         "exponent of the highlight; larger is sharper"},
+    };
+
+    static double error_u(const MaterialParams<double>& p) {
+        return 7 + power_error_u(p.exponent[shininess]);
+    }
+    static constexpr Promises promises{
+        .reciprocal = false, .energy = Energy::may_exceed_one, .error_u = error_u};
+
+    template <Real R>
+    static Rgb<R> f_cos(const Cosines<R>& c, const ParamPack<R>& p) {
+        return phong_reflection(p.rgb(kd), p.rgb(ks), p.exponent(shininess), c.n_i, c.r_o) *
+               R(inv_pi);
+    }
+};
+
+#include "brdf/model_end.hpp"

@@ -1,0 +1,127 @@
+#include "cli/stats.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "cli/console.hpp"
+
+namespace scanshade {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    const std::size_t middle = values.size() / 2;
+    return values.size() % 2 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+Json frame_json(const std::vector<FrameStats>& frames) {
+    const FrameTimes times = frame_times(frames);
+    return {{"median", times.median_ms}, {"min", times.min_ms}};
+}
+
+/// Times are medians over the frames, stage by stage; counts are those of the last frame.
+Json stages_json(const std::vector<FrameStats>& frames) {
+    Json stages = Json::array();
+    const std::vector<StageStats>& last = frames.back().stages;
+    for (std::size_t s = 0; s < last.size(); ++s) {
+        std::vector<double> ms;
+        for (const FrameStats& frame : frames) ms.push_back(frame.stages[s].ms);
+        stages.push_back({{"name", last[s].name},
+                          {"ran", last[s].ran},
+                          {"ms", median(std::move(ms))},
+                          {"items", last[s].items},
+                          {"item_name", last[s].item_name}});
+    }
+    return stages;
+}
+
+Json left_out_json(const RenderPlan& plan) {
+    Json rows = Json::array();
+    for (const PlanLine& line : explain(plan))
+        if (!line.runs) rows.push_back({{"stage", line.stage}, {"reason", line.reason}});
+    return rows;
+}
+
+Json events_json(const std::vector<EventRow>& rows) {
+    Json events = Json::array();
+    for (const EventRow& row : rows)
+        events.push_back({{"name", row.info->name},
+                          {"meaning", row.info->meaning},
+                          {"count", row.count},
+                          {"rate", row.rate},
+                          {"allowed_rate", row.info->allowed_rate},
+                          {"among", row.info->among}});
+    return events;
+}
+
+}  // namespace
+
+Run describe_run(std::string input, const Scene& scene, const Settings& settings,
+                 const RenderPlan& plan, double load_ms, std::vector<FrameStats> frames) {
+    const EventTotals totals = event_totals(scene, frames.back().covered_samples);
+    EventCounts counts = scene.events;
+    counts += frames.back().events;
+    return {std::move(input),
+            settings,
+            plan,
+            load_ms,
+            std::move(frames),
+            totals,
+            event_rows(counts, totals),
+            scene.objects.size(),
+            scene.lights.size()};
+}
+
+FrameTimes frame_times(const std::vector<FrameStats>& frames) {
+    std::vector<double> ms;
+    for (const FrameStats& frame : frames) ms.push_back(frame.frame_ms);
+    return {median(ms), *std::min_element(ms.begin(), ms.end())};
+}
+
+std::string stats_json(const Run& run) {
+    const Json json = {
+        {"program", fmt::format("scanshade {}", program_version)},
+        {"input", run.input},
+        {"width", run.plan.width},
+        {"height", run.plan.height},
+        {"samples", run.plan.samples_side * run.plan.samples_side},
+        {"renderer", renderer_names()[std::size_t(run.plan.renderer)]},
+        {"interpolation", interpolation_names()[std::size_t(run.plan.interpolation)]},
+        {"load_ms", run.load_ms},
+        {"frames", run.frames.size()},
+        {"frame_ms", frame_json(run.frames)},
+        {"stages", stages_json(run.frames)},
+        {"counts",
+         {{"objects", run.objects},
+          {"faces", run.totals.faces},
+          {"triangles", run.totals.triangles},
+          {"vertices", run.totals.vertices},
+          {"materials", run.totals.materials},
+          {"lights", run.lights},
+          {"covered_samples", run.totals.samples}}},
+        {"left_out", left_out_json(run.plan)},
+        {"events", events_json(run.events)},
+        {"peak_memory_bytes", peak_memory_bytes()},
+    };
+    // Names from files need not be UTF-8; what is not becomes U+FFFD.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::uint64_t peak_memory_bytes() {
+    // getrusage would count what the parent had resident before it started this program.
+    std::ifstream status("/proc/self/status");
+    std::string key;
+    while (status >> key) {
+        std::uint64_t kib = 0;
+        if (key == "VmHWM:" && status >> kib) return 1024 * kib;
+        status.ignore(4096, '\n');
+    }
+    return 0;
+}
+
+}  // namespace scanshade

@@ -1,0 +1,47 @@
+// What a run of `scanshade render` found out: --stats.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/events.hpp"
+#include "scanshade/render/renderer.hpp"
+
+namespace scanshade {
+
+/// Everything that --stats and --verbose tell. `plan` and `settings` stay where they are.
+struct Run {
+    std::string input;
+    const Settings& settings;
+    const RenderPlan& plan;
+    double load_ms;
+    std::vector<FrameStats> frames;  // at least one
+    EventTotals totals;
+    std::vector<EventRow> events;  // of loading and of the last frame
+    std::size_t objects, lights;
+};
+
+Run describe_run(std::string input, const Scene& scene, const Settings& settings,
+                 const RenderPlan& plan, double load_ms, std::vector<FrameStats> frames);
+
+struct FrameTimes {
+    double median_ms, min_ms;
+};
+FrameTimes frame_times(const std::vector<FrameStats>& frames);
+
+/// The JSON text. Its keys are stable, scripts read them:
+///     program input width height samples renderer interpolation
+///     load_ms            reading the input, building meshes, making the plan
+///     frames             how many were drawn (--repeat)
+///     frame_ms           {median, min} over the frames
+///     stages             [{name, ran, ms, items, item_name}]; ms is the median over the frames
+///     counts             {objects, faces, triangles, vertices, materials, lights, covered_samples}
+///     left_out           [{stage, reason}]
+///     events             [{name, meaning, count, rate, allowed_rate, among}], those that happened
+///     peak_memory_bytes
+std::string stats_json(const Run& run);
+
+/// The most memory that this process has had resident, in bytes; 0 where the system does not say.
+std::uint64_t peak_memory_bytes();
+
+}  // namespace scanshade

@@ -1,0 +1,123 @@
+// The light of one material's surface points, for any model and any number type: the same text is
+// the scalar twins in float and double and the vector kernel of every instruction set.
+#if defined(SCANSHADE_KERNELS_ILLUMINATE_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef SCANSHADE_KERNELS_ILLUMINATE_HPP
+#undef SCANSHADE_KERNELS_ILLUMINATE_HPP
+#else
+#define SCANSHADE_KERNELS_ILLUMINATE_HPP
+#endif
+
+#include "scanshade/brdf/brdf.hpp"
+#include "scanshade/eq/radiometry.hpp"
+#include "scanshade/eq/shading.hpp"
+#include "scanshade/kernels/span.hpp"
+
+SCANSHADE_TARGET_BEGIN;
+
+/// A material's parameters in the number type of a kernel.
+template <Real R>
+struct ParamPack {
+    const MaterialParams<Scalar<R>>& material;
+    const Rgb<R>* albedo;  // texture: factor of the diffuse parameter; may be null
+    int diffuse;           // index of that parameter
+
+    Rgb<R> rgb(int index) const {
+        const Rgb<R> value = uniform_rgb<R>(material.value[index]);
+        return albedo != nullptr && index == diffuse ? value * *albedo : value;
+    }
+    R number(int index) const { return R(material.value[index][0]); }
+    const Exponent& exponent(int index) const { return material.exponent[index]; }
+};
+
+/// Index of the parameter with the diffuse role, −1: none.
+template <class Model>
+constexpr int diffuse_index() {
+    int index = 0;
+    for (const ParamInfo& param : Model::params) {
+        if (param.role == ParamRole::diffuse) return index;
+        ++index;
+    }
+    return -1;
+}
+
+template <Real R>
+Vec3<R> load_vec3(const Scalar<R>* const (&from)[3], std::size_t i) {
+    return {RealTraits<R>::load(from[0] + i), RealTraits<R>::load(from[1] + i),
+            RealTraits<R>::load(from[2] + i)};
+}
+
+template <Real R>
+Vec3<R> uniform_vec3(const Scalar<R> (&value)[3]) {
+    return {R(value[0]), R(value[1]), R(value[2])};
+}
+
+/// The light that arrives at P from one light: its direction and what scales its irradiance.
+template <class R>
+struct Arriving {
+    Vec3<R> wi;  // towards the light, unit; 0 where the point is at the light
+    R factor;    // attenuation · emission
+    R distance;  // s · |light − P|
+};
+
+template <Real R>
+Arriving<R> arriving(const LightTerm<Scalar<R>>& light, const Vec3<R>& P) {
+    const Vec3<R> to_light = uniform_vec3<R>(light.position) - P * R(light.point_scale);
+    const R distance = sqrt(dot(to_light, to_light));
+    const Vec3<R> wi = normalise(to_light);
+    const R d = max(distance, R(light.radius));
+    R factor = attenuation(d, light.attenuation[0], light.attenuation[1], light.attenuation[2]);
+    if (light.emission == LightEmission::cosine)
+        factor = factor * cosine_light(-wi, uniform_vec3<R>(light.axis));
+    if (light.emission == LightEmission::spot)
+        factor = factor *
+                 spot_light(-wi, uniform_vec3<R>(light.axis), light.cos_cutoff, light.inv_penumbra);
+    return {wi, factor, distance};
+}
+
+/// Directions at one point as the cosines that models read.
+template <Real R>
+Cosines<R> cosines(const Vec3<R>& n, const Vec3<R>& wi, const Vec3<R>& wo) {
+    const R floor_o = R(1e-12);
+    return {dot(n, wi), max(dot(n, wo), floor_o), clamp(dot(n, half_vector(wi, wo)), R(0), R(1)),
+            clamp(dot(mirror_direction(wi, n), wo), R(0), R(1))};
+}
+
+template <class Model, Real R>
+SpanEvents illuminate_span(const SurfaceSpan<Scalar<R>>& span, const Lighting<Scalar<R>>& lighting,
+                           const MaterialParams<Scalar<R>>& material) {
+    SpanEvents events;
+    for (std::size_t i = 0; i < span.count; i += RealTraits<R>::width) {
+        const Vec3<R> P = load_vec3<R>(span.position, i);
+        const Vec3<R> n = normalise(load_vec3<R>(span.normal, i));
+        const Vec3<R> wo = normalise(uniform_vec3<R>(lighting.eye) - P * R(lighting.eye_scale));
+
+        Rgb<R> albedo{R(1), R(1), R(1)};
+        if (span.albedo[0] != nullptr)
+            albedo = {RealTraits<R>::load(span.albedo[0] + i),
+                      RealTraits<R>::load(span.albedo[1] + i),
+                      RealTraits<R>::load(span.albedo[2] + i)};
+        const ParamPack<R> params{material, span.albedo[0] != nullptr ? &albedo : nullptr,
+                                  diffuse_index<Model>()};
+
+        const auto in_span = RealTraits<R>::iota() < R(static_cast<double>(span.count - i));
+        Rgb<R> L =
+            ambient_term(uniform_rgb<R>(lighting.ambient), uniform_rgb<R>(material.ka) * albedo) +
+            uniform_rgb<R>(material.emission);
+        for (const LightTerm<Scalar<R>>& light : lighting.lights) {
+            const Arriving<R> from = arriving(light, P);
+            const Cosines<R> c = cosines(n, from.wi, wo);
+            const R factor = select(c.n_i > R(0), from.factor, R(0));
+            L = L + light_term(factor, uniform_rgb<R>(light.irradiance), Model::f_cos(c, params));
+            events.light_at_surface +=
+                count_true(mask_and(from.distance < R(light.radius), in_span));
+        }
+        RealTraits<R>::store(L.r, span.radiance[0] + i);
+        RealTraits<R>::store(L.g, span.radiance[1] + i);
+        RealTraits<R>::store(L.b, span.radiance[2] + i);
+    }
+    return events;
+}
+
+SCANSHADE_TARGET_END;
+
+#endif

@@ -1,0 +1,90 @@
+#include "scene/obj_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+
+#include "scanshade/base/error.hpp"
+
+namespace scanshade {
+namespace {
+
+constexpr std::string_view blanks = " \t\v\f";
+
+}  // namespace
+
+std::string read_text(const std::filesystem::path& path, std::size_t max_bytes) {
+    std::error_code reason;
+    const auto size = std::filesystem::file_size(path, reason);
+    if (reason)
+        throw Error(Errc::file, fmt::format("the file cannot be read ({})", reason.message()))
+            .at(path.string());
+    if (size > max_bytes)
+        throw Error(Errc::format,
+                    fmt::format("the file has {} bytes; at most {} are read", size, max_bytes))
+            .at(path.string());
+    std::string text(size, '\0');
+    std::ifstream file(path, std::ios::binary);
+    errno = 0;
+    if (!file.read(text.data(), std::streamsize(size)))
+        throw Error(Errc::file,
+                    fmt::format("the file cannot be read ({})", std::strerror(errno ? errno : EIO)))
+            .at(path.string());
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+        throw Error(Errc::format, "the file is UTF-16 text; it must be saved as UTF-8")
+            .at(path.string());
+    if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
+    if (const auto zero = std::find(text.begin(), text.end(), '\0'); zero != text.end())
+        throw Error(Errc::format, "the line has a byte of value 0, so the file is no OBJ text")
+            .at(path.string(), 1 + std::count(text.begin(), zero, '\n'));
+    return text;
+}
+
+std::string_view next_word(std::string_view& text) {
+    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+    const std::string_view word = text.substr(0, text.find_first_of(blanks));
+    text.remove_prefix(word.size());
+    return word;
+}
+
+std::string_view trimmed(std::string_view text) {
+    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+    return text.substr(0, text.find_last_not_of(blanks) + 1);
+}
+
+std::string_view StatementStream::next_line() {
+    const std::string_view line = rest_.substr(0, rest_.find_first_of("\r\n"));
+    rest_.remove_prefix(line.size());
+    rest_.remove_prefix(rest_.starts_with("\r\n") ? 2 : rest_.empty() ? 0 : 1);
+    ++line_;
+    return line;
+}
+
+StatementStream::int_type StatementStream::underflow() {
+    if (rest_.empty()) return traits_type::eof();
+    statement_ = next_line();
+    const long line = line_;
+    while (statement_.ends_with('\\')) {
+        statement_.back() = ' ';
+        if (!rest_.empty()) statement_ += next_line();
+    }
+    // Only numbers are followed by comments: names may have a '#' in them.
+    std::string_view arguments = statement_;
+    std::string_view keyword = next_word(arguments);
+    const bool numbers = keyword == "v" || keyword == "vt" || keyword == "vn" || keyword == "f";
+    if (numbers || keyword.starts_with('#')) {
+        statement_.resize(std::min(statement_.find('#'), statement_.size()));
+        arguments = statement_;
+        keyword = next_word(arguments);
+    }
+    if (!keyword.empty()) visitor_({keyword, arguments, line});
+    statement_ += '\n';
+    setg(statement_.data(), statement_.data(), statement_.data() + statement_.size());
+    return traits_type::to_int_type(statement_.front());
+}
+
+}  // namespace scanshade

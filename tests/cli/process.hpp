@@ -1,0 +1,34 @@
+// Runs the program that was built beside the tests.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "support/temp_folder.hpp"
+
+namespace scanshade {
+
+/// How a process ended and what it said.
+struct Finished {
+    int status = -1;  // exit status; 128 + signal where it was killed
+    std::string out, err;
+};
+
+/// `scanshade ARGS...`, with standard output and standard error each in a file of its own.
+/// `stdout_to` is a file to write standard output to instead, `program` a copy to run.
+Finished run_scanshade(const std::vector<std::string>& args, const std::string& stdout_to = {},
+                       const std::string& program = SCANSHADE_BINARY);
+
+/// The same with standard error on a terminal; `out` is empty.
+Finished run_scanshade_on_terminal(const std::vector<std::string>& args);
+
+/// The same with nobody left to read standard output; `out` is empty.
+Finished run_scanshade_unread(const std::vector<std::string>& args);
+
+/// The whole file, as it is.
+std::string read_file(const std::string& path);
+
+/// A file with one triangle that fills much of the default view.
+std::string write_triangle(const TempFolder& folder);
+
+}  // namespace scanshade

@@ -1,0 +1,188 @@
+// What render, sheet, explain and info give when all is well.
+#include <nlohmann/json.hpp>
+
+#include "cli/process.hpp"
+#include "scanshade/brdf/brdf.hpp"
+#include "scanshade/image/png.hpp"
+#include "scanshade/scene/settings.hpp"
+#include "support/catch.hpp"
+
+using namespace scanshade;
+
+namespace {
+
+/// Finished with status 0, or the test ends here with what the program said.
+Finished run_well(const std::vector<std::string>& args) {
+    const Finished run = run_scanshade(args);
+    INFO(run.err);
+    REQUIRE(run.status == 0);
+    return run;
+}
+
+}  // namespace
+
+TEST_CASE("render writes a picture of the size that was asked for and one line about it", "[cli]") {
+    const TempFolder folder;
+    const std::string in = write_triangle(folder), out = folder.path / "out.png";
+    const Finished run = run_well({"render", in, "-o", out, "--resolution", "64,48"});
+    CHECK(run.out.empty());
+    CHECK(run.err.find("wrote " + out + ", 64 × 48, 1 triangles") != std::string::npos);
+    const Image image = load_image(out);
+    CHECK(image.width == 64);
+    CHECK(image.height == 48);
+    // Something is there, and it is not everywhere.
+    const auto pixel = [&](int x, int y) {
+        return std::vector<int>(image.pixel(x, y), image.pixel(x, y) + 3);
+    };
+    CHECK(pixel(32, 24) != pixel(0, 0));
+}
+
+TEST_CASE("a picture on standard output is alone there, and the same as in a file", "[cli]") {
+    const TempFolder folder;
+    const std::string in = write_triangle(folder), out = folder.path / "out.png";
+    const std::vector<std::string> common{"render", in, "--resolution", "40,30", "--verbose", "-o"};
+    auto to_file = common, to_stdout = common;
+    to_file.push_back(out);
+    to_stdout.push_back("-");
+    run_well(to_file);
+    const Finished run = run_well(to_stdout);
+    CHECK(run.out == read_file(out));
+    CHECK(run.out.starts_with("\x89PNG"));
+    CHECK_FALSE(run.err.empty());
+}
+
+TEST_CASE("values that begin with a dash are values", "[cli]") {
+    const TempFolder folder;
+    const std::string in = write_triangle(folder), out = folder.path / "out.png";
+    run_well({"render", in, "-o", out, "--resolution", "8,8", "--exposure", "-1",
+              "--camera-position", "-1,2,3", "--light", "directional:-1,-1,-1"});
+    run_well({"render", in, "-o", out, "--resolution", "8,8", "--exposure", "-.5"});
+    run_well({"render", in, "-o", out, "--resolution", "8,8", "--exposure=-.5"});
+}
+
+TEST_CASE("of an option given twice the last counts; lights add up", "[cli]") {
+    const TempFolder folder;
+    const std::string in = write_triangle(folder), out = folder.path / "out.png";
+    run_well({"render", in, "-o", out, "--resolution", "8,8", "--resolution", "16,9"});
+    CHECK(load_image(out).width == 16);
+    const std::string info =
+        run_well({"info", in, "--light", "point:1,2,3", "--light", "directional:0,0,-1"}).out;
+    CHECK(info.find("1, 2, 3") != std::string::npos);
+    CHECK(info.find("directional") != std::string::npos);
+}
+
+TEST_CASE("--stats holds the documented keys, and the times are those of all frames", "[cli]") {
+    const TempFolder folder;
+    const std::string in = write_triangle(folder), out = folder.path / "out.png";
+    const std::string path = folder.path / "stats.json";
+    run_well({"render", in, "-o", out, "--resolution", "32,24", "--repeat", "3", "--stats", path});
+    const nlohmann::json stats = nlohmann::json::parse(read_file(path));
+    for (const char* key :
+         {"program", "input", "width", "height", "samples", "renderer", "interpolation", "load_ms",
+          "frames", "frame_ms", "stages", "counts", "left_out", "events", "peak_memory_bytes"}) {
+        CAPTURE(key);
+        CHECK(stats.contains(key));
+    }
+    CHECK(stats["width"] == 32);
+    CHECK(stats["frames"] == 3);
+    CHECK(stats["frame_ms"]["min"] > 0.0);
+    CHECK(stats["frame_ms"]["min"] <= stats["frame_ms"]["median"]);
+    CHECK(stats["counts"]["triangles"] == 1);
+    CHECK(stats["counts"]["vertices"] == 3);
+    CHECK(stats["counts"]["covered_samples"] > 10);
+    CHECK(stats["counts"]["covered_samples"] < 32 * 24);
+    CHECK(stats["peak_memory_bytes"] > 1'000'000);
+    REQUIRE_FALSE(stats["stages"].empty());
+    for (const auto& stage : stats["stages"])
+        for (const char* key : {"name", "ran", "ms", "items", "item_name"})
+            CHECK(stage.contains(key));
+}
+
+TEST_CASE("--stats - is JSON alone on standard output", "[cli]") {
+    const TempFolder folder;
+    const std::string in = write_triangle(folder), out = folder.path / "out.png";
+    const Finished run =
+        run_well({"render", in, "-o", out, "--resolution", "8,8", "--stats", "-", "--verbose"});
+    CHECK(nlohmann::json::parse(run.out)["height"] == 8);
+}
+
+TEST_CASE("rare events reach --stats with meaning and rate, and warnings where too many", "[cli]") {
+    const TempFolder folder;
+    const std::string in =
+        folder.write("flat.obj", "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\nf 1 2 2\n");
+    const std::string out = folder.path / "out.png";  // the second has no area
+    const Finished run = run_well({"render", in, "-o", out, "--resolution", "8,8", "--stats", "-"});
+    const nlohmann::json events = nlohmann::json::parse(run.out)["events"];
+    REQUIRE(events.size() >= 1);
+    CHECK(events[0]["name"] == "degenerate-face");
+    CHECK(events[0]["count"] == 1);
+    CHECK(events[0]["rate"] == 0.5);
+    CHECK(events[0]["among"] == "faces");
+    CHECK(events[0]["meaning"].get<std::string>().size() > 20);
+    CHECK(run.err.find("warning: degenerate-face") != std::string::npos);
+    CHECK(run_well({"info", in}).out.find("degenerate-face") != std::string::npos);
+}
+
+TEST_CASE("progress is shown on a terminal only", "[cli]") {
+    const TempFolder folder;
+    const std::string in = write_triangle(folder), out = folder.path / "out.png";
+    // A second of frames: as many as the speed of this machine and build needs.
+    const Finished trial = run_well({"render", in, "-o", out, "--repeat", "10", "--stats", "-"});
+    const double ms = nlohmann::json::parse(trial.out)["frame_ms"]["median"];
+    const std::string frames = std::to_string(int(1500 / ms) + 2);
+    const Finished shown = run_scanshade_on_terminal({"render", in, "-o", out, "--repeat", frames});
+    CAPTURE(frames, shown.err);
+    CHECK(shown.status == 0);
+    CHECK(shown.err.find(" of " + frames + " (1 s)") != std::string::npos);
+    const Finished piped = run_well({"render", in, "-o", out, "--repeat", frames});
+    CHECK(piped.err.find(" of " + frames + " (") == std::string::npos);
+    CHECK(piped.err.find('\r') == std::string::npos);
+}
+
+TEST_CASE("a sheet has a cell for every shading and reflection model", "[cli]") {
+    const TempFolder folder;
+    const std::string in = write_triangle(folder), out = folder.path / "out.png";
+    run_well({"sheet", in, "-o", out, "--resolution", "40,30"});
+    const Image sheet = load_image(out);
+    const int columns = int(all_brdfs().size()) + 1, rows = int(shading_names().size());
+    const int gap = 8, label = 20 + 2 * gap;
+    CHECK(sheet.height == label + rows * (30 + gap));
+    const int left = sheet.width - columns * (40 + gap);
+    CHECK(left > 2 * gap);
+    // The middle of each cell shows the triangle: it differs from the cell's own corner.
+    for (int r = 0; r < rows; ++r)
+        for (int c = 0; c < columns; ++c) {
+            CAPTURE(r, c);
+            const int x = left + c * (40 + gap), y = label + r * (30 + gap);
+            CHECK_FALSE(
+                std::equal(sheet.pixel(x, y), sheet.pixel(x, y) + 3, sheet.pixel(x + 20, y + 15)));
+        }
+}
+
+TEST_CASE("explain names every stage, and says run or left out with a reason", "[cli]") {
+    const TempFolder folder;
+    const std::string in = write_triangle(folder);
+    const std::string flat = run_well({"explain", in, "--shading", "flat"}).out;
+    const std::string phong = run_well({"explain", in, "--shading", "phong"}).out;
+    CHECK(flat.find("left out  ") != std::string::npos);
+    CHECK(flat.find("runs      ") != std::string::npos);
+    CHECK(flat != phong);
+}
+
+TEST_CASE("info counts what is in the file and shows materials as they are drawn", "[cli]") {
+    const TempFolder folder;
+    folder.write("two.mtl", "newmtl red\nKd 0.5 0.25 0\nKs 0.125 0.125 0.125\nNs 77\n");
+    const std::string in =
+        folder.write("two.obj",
+                     "mtllib two.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 2 0\n"
+                     "f 1 2 3 4\nf 1 2 3\nf 1 2 3 5 4\n");
+    const std::string info = run_well({"info", in}).out;
+    CAPTURE(info);
+    CHECK(info.find("3: 1 triangles, 1 quadrilaterals, 1 of more corners") != std::string::npos);
+    CHECK(info.find("6 as drawn") != std::string::npos);
+    CHECK(info.find("red") != std::string::npos);
+    CHECK(info.find("kd 0.5,0.25,0") != std::string::npos);
+    CHECK(info.find("ks 0.125") != std::string::npos);
+    CHECK(info.find("77") != std::string::npos);
+    CHECK(run_well({"info", in, "--brdf", "lambert"}).out.find("lambert") != std::string::npos);
+}
