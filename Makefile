@@ -21,6 +21,7 @@ ALL_CXXFLAGS = $(CXXFLAGS_COMMON) $(CXXFLAGS_$(config)) $(CXXFLAGS)
 SDL_CFLAGS = $(shell pkg-config --cflags sdl2 2>/dev/null)
 SDL_LIBS   = $(shell pkg-config --libs sdl2 2>/dev/null || echo -lSDL2)
 LIBS := -lfmt -lhwy
+export PYTHONDONTWRITEBYTECODE := 1
 
 -include Makefile.local
 
@@ -74,6 +75,120 @@ $(TESTS): $(call object,$(TEST_SOURCES)) $(LIB) | $(CLI)
 .PHONY: tests
 tests: $(TESTS)
 
+# ---- what is needed ------------------------------------------------------------------------------
+# Debian package:how it shows where it was installed otherwise (a header, a command or a path).
+DEMO_NEEDS := g++:c++ libglm-dev:glm/vec3.hpp libtinyobjloader-dev:tiny_obj_loader.h \
+              libstb-dev:stb/stb_image.h libcli11-dev:CLI/CLI.hpp \
+              libtomlplusplus-dev:toml++/toml.h nlohmann-json3-dev:nlohmann/json.hpp \
+              libfmt-dev:fmt/format.h libhwy-dev:hwy/highway.h
+TEST_NEEDS := $(DEMO_NEEDS) catch2:catch2/catch.hpp,catch2/catch_all.hpp libsdl2-dev:SDL2/SDL.h \
+              pkg-config:pkg-config python3:python3 clang-format:clang-format xvfb:Xvfb \
+              xdotool:xdotool x11-apps:xwd imagemagick:convert \
+              assimp-testmodels:/usr/share/assimp/models
+
+.PHONY: deps deps-demo deps-test
+deps: deps-test  ## install the Debian packages that are missing, for all targets
+deps-demo:
+	@CXX='$(CXX)' bash .ci/deps $(DEMO_NEEDS)
+deps-test:
+	@CXX='$(CXX)' bash .ci/deps $(TEST_NEEDS)
+
+# Programs are built by a second make, so that packages are there first and all cores are used.
+SUBMAKE = $(MAKE) $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(JOBS))
+
+# ---- targets for people --------------------------------------------------------------------------
+DEMO_SCENE := models/scenes/teapot.toml
+
+.PHONY: demo
+demo: deps-demo  ## draw the teapot into build/demo.png
+	@$(SUBMAKE) $(CLI)
+	@$(CLI) render $(DEMO_SCENE) -o build/demo.png
+	@echo
+	@echo 'build/demo.png is $(DEMO_SCENE), lit at every pixel. Try next:'
+	@echo '  $(CLI) render $(DEMO_SCENE) --shading gouraud -o build/gouraud.png'
+	@echo '  $(CLI) sheet $(DEMO_SCENE) -o build/sheet.png   every shading with every model'
+	@echo '  $(CLI) --help'
+	@echo '  make deps && make && $(CLI) view $(DEMO_SCENE)   in a window'
+
+.PHONY: test
+test: deps-test  ## build and run all tests; TAGS=[brdf] runs those of one tag
+	@$(SUBMAKE) all tests
+	@$(TESTS) $(if $(TAGS),'$(TAGS)')
+
+CHECKS := check-selftest check-layers check-equations check-format check-headers
+HEADERS := $(shell find include -name '*.hpp' 2>/dev/null | sort)
+FORMATTED = $(shell find include src tests -name '*.hpp' -o -name '*.cpp' | sort)
+
+.PHONY: check $(CHECKS)
+check: deps-test  ## layers, equations, formatting, each header alone; under a minute
+	@$(SUBMAKE) -k --output-sync $(CHECKS) && echo "all checks passed"
+check-selftest:
+	@python3 tests/support/checks_test.py --quiet
+check-layers:
+	@python3 tests/support/check_layers.py
+check-equations:
+	@python3 tests/support/check_equations.py
+check-format:
+	@odd=$$(clang-format --dry-run $(FORMATTED) 2>&1 | sed -n 's/:[0-9].*warning:.*//p' | sort -u); \
+	if [ -n "$$odd" ]; then echo "$$odd"; echo "format: run 'make format' for these files"; exit 1; \
+	else echo "format: as clang-format wants it"; fi
+check-headers:
+	@CXX='$(CXX)' python3 tests/support/check_headers.py $(HEADERS) -- \
+	    $(filter-out -M%,$(CXXFLAGS_COMMON)) -Werror
+
+.PHONY: docs
+docs: deps-demo  ## write docs/equations.md and the pictures of README.md again
+	@python3 tests/support/check_equations.py --write
+	@$(SUBMAKE) $(CLI)
+	@mkdir -p docs/images
+	$(CLI) render $(DEMO_SCENE) --resolution 960,540 --samples 16 -o docs/images/teapot.png
+	$(CLI) sheet $(DEMO_SCENE) --resolution 240,180 --samples 16 -o docs/images/sheet.png
+
+.PHONY: golden golden-accept
+golden: deps-test  ## compare pictures with golden/; drawn ones and differences go to build/golden/
+	@$(SUBMAKE) $(TESTS)
+	@$(TESTS) '[golden]' || { echo "look at build/golden/NAME.png and NAME.diff.png;" \
+	    "'make golden-accept NAME=...' takes one picture over"; exit 1; }
+golden-accept:  ## take one picture over: build/golden/NAME.png becomes golden/NAME.png
+	@case '$(NAME)' in \
+	    '' | *[!A-Za-z0-9_-]*) echo "give one name: make golden-accept NAME=teapot"; exit 2;; esac
+	@test -f 'build/golden/$(NAME).png' || \
+	    { echo "build/golden/$(NAME).png is not there; run 'make golden' first"; exit 2; }
+	@$(SUBMAKE) $(CLI)
+	@if [ -f 'golden/$(NAME).png' ]; then \
+	    $(CLI) compare 'golden/$(NAME).png' 'build/golden/$(NAME).png' || [ $$? -eq 1 ]; \
+	else echo "golden/$(NAME).png is new"; fi
+	cp 'build/golden/$(NAME).png' 'golden/$(NAME).png'
+
+TIDIED = $(wildcard src/*/*.cpp)
+.PHONY: lint
+lint:  ## clang-tidy, cppcheck and a build with clang, as far as they are installed; takes minutes
+	@if command -v clang-tidy >/dev/null; then \
+	    $(SUBMAKE) -k $(TIDIED:%=tidy/%); else echo "skipped: clang-tidy is not installed"; fi
+	@if command -v cppcheck >/dev/null; then \
+	    cppcheck --quiet --std=c++20 --language=c++ --enable=warning,performance,portability \
+	        --inline-suppr --suppress=preprocessorErrorDirective --error-exitcode=1 \
+	        -j $(JOBS) -Iinclude -Isrc src; else echo "skipped: cppcheck is not installed"; fi
+	@if command -v clang++ >/dev/null; then \
+	    $(SUBMAKE) CXX=clang++ BUILD=build/clang CXXFLAGS=-Werror all tests; \
+	else echo "skipped: clang++ is not installed"; fi
+.PHONY: $(TIDIED:%=tidy/%)
+$(TIDIED:%=tidy/%): tidy/%: $(BUILD)/gen/brdf_models.inc
+	@echo "  TIDY $*"
+	@clang-tidy --quiet $* -- $(filter-out -M% -Wno-psabi,$(CXXFLAGS_COMMON)) $(SDL_CFLAGS) \
+	    2>/dev/null
+
+.PHONY: format
+format:  ## clang-format on all sources
+	@clang-format -i $(FORMATTED)
+
 .PHONY: clean
 clean:  ## remove everything that was built
 	rm -rf build
+
+.PHONY: help
+help:  ## this list
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-14s %s\n", $$1, $$2}' $(firstword $(MAKEFILE_LIST))
+	@echo
+	@echo "  config=release|debug|asan   which build (default release), in build/CONFIG/"
+	@echo "  JOBS=N                      how many compilers run at once (default: one a core)"

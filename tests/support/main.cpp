@@ -30,7 +30,12 @@ CATCH_REGISTER_LISTENER(Tally)
 }  // namespace
 
 int main(int argc, char** argv) {
-    const int status = Catch::Session().run(argc, argv);
+    Catch::Session session;
+    if (const int status = session.applyCommandLine(argc, argv); status != 0) return status;
+    const auto& options = session.configData();
+    const bool runs = !options.showHelp && !options.listTests && !options.listTags;
+    const int status = session.run();
     std::printf("%zu passed, %zu failed\n", passed, failed);
-    return failed > 0 ? 1 : status;
+    if (failed > 0) return 1;
+    return runs && passed == 0 ? 2 : status;  // a misspelt tag must not look like success
 }
