@@ -1,14 +1,18 @@
-// Lines of text over the picture.
+// Text over the picture.
 #pragma once
 
-#include <SDL.h>
+#include <string>
+#include <vector>
 
-#include <string_view>
+#include "scanshade/image/image.hpp"
 
 namespace scanshade::viewer {
 
-/// Draws the text (ASCII; other characters show as '?') on a dark box in the upper left corner,
-/// lines broken so that they fit into `width` pixels.
-void draw_overlay(SDL_Renderer* renderer, std::string_view text, int width);
+/// The lines of `text`, broken at spaces so that none is wider than `width` pixels (a word that is
+/// wider stands alone).
+std::vector<std::string> wrapped(const std::string& text, int width);
+
+/// Draws the text in white on a black box in the upper left corner.
+void draw_overlay(Image& picture, const std::string& text);
 
 }  // namespace scanshade::viewer

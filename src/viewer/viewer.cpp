@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <utility>
 
+#include "cli/console.hpp"
 #include "scanshade/base/error.hpp"
 #include "scanshade/image/png.hpp"
 #include "scanshade/render/renderer.hpp"
+#include "viewer/overlay.hpp"
 
 namespace scanshade::viewer {
 
@@ -88,23 +89,28 @@ void Viewer::save_picture() {
         save_png(picture_, path);
         status_ = fmt::format("saved {}", path.filename().string());
         outdated_ = true;
-        std::fprintf(stderr, "scanshade-view: %s\n", status_.c_str());
+        note("scanshade-view: " + status_);
     } catch (const Error& error) {
         report(error.what());
     }
 }
 
 void Viewer::report(const std::string& sentence) {
-    std::fprintf(stderr, "scanshade-view: %s\n", sentence.c_str());
+    note("scanshade-view: " + sentence);
     notice_ = sentence;
     outdated_ = true;
 }
 
 void Viewer::show() {
     window_.set_title(fmt::format("{} | {}", state_.title(), status_));
-    std::string text = help_ ? help_text() : "";
-    if (!notice_.empty()) text += notice_;
-    window_.show(picture_, text);
+    const std::string text = (help_ ? help_text() : "") + notice_;
+    if (text.empty()) {
+        window_.show(picture_);
+    } else {
+        Image lettered = picture_;
+        draw_overlay(lettered, text);
+        window_.show(lettered);
+    }
     outdated_ = false;
 }
 

@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include "scanshade/base/error.hpp"
-#include "viewer/overlay.hpp"
 
 namespace scanshade::viewer {
 namespace {
@@ -82,16 +81,13 @@ void Window::set_title(const std::string& title) {
     SDL_SetWindowTitle(window_.get(), title.c_str());
 }
 
-void Window::show(const Image& picture, const std::string& text) {
+void Window::show(const Image& picture) {
+    upload(picture);
+    // Pixel for pixel: while the window is between two sizes the picture is not stretched.
+    const SDL_Rect whole{0, 0, picture.width, picture.height};
     SDL_SetRenderDrawColor(renderer_.get(), 0, 0, 0, 255);
     SDL_RenderClear(renderer_.get());
-    if (!picture.rgb.empty()) {
-        upload(picture);
-        // Pixel for pixel: while the window is between two sizes the picture is not stretched.
-        const SDL_Rect whole{0, 0, picture.width, picture.height};
-        SDL_RenderCopy(renderer_.get(), texture_.get(), nullptr, &whole);
-    }
-    if (!text.empty()) draw_overlay(renderer_.get(), text, width_);
+    SDL_RenderCopy(renderer_.get(), texture_.get(), nullptr, &whole);
     SDL_RenderPresent(renderer_.get());
 }
 

@@ -1,4 +1,4 @@
-// The window: shows a picture pixel by pixel, with text over it.
+// The window: shows a picture pixel by pixel.
 #pragma once
 
 #include <SDL.h>
@@ -31,8 +31,7 @@ public:
 
     void set_title(const std::string& title);
 
-    /// Shows the picture and, where not empty, text over it.
-    void show(const Image& picture, const std::string& text);
+    void show(const Image& picture);
 
 private:
     struct Quit {
