@@ -29,7 +29,11 @@ export PYTHONDONTWRITEBYTECODE := 1
 LIB_SOURCES    := $(filter-out src/cli/% src/viewer/%,$(wildcard src/*/*.cpp))
 CLI_SOURCES    := $(wildcard src/cli/*.cpp)
 # The viewer takes its options, errors and exit status from the same files.
-VIEWER_SOURCES := $(wildcard src/viewer/*.cpp) src/cli/options.cpp src/cli/console.cpp
+VIEWER_SOURCES := $(wildcard src/viewer/*.cpp) \
+                  $(patsubst %,src/cli/%.cpp,options console lettering)
+# What tests link of the programs: nothing of it sees SDL.
+TESTED_SOURCES := $(patsubst %,src/viewer/%.cpp,camera_control view_state overlay) \
+                  src/cli/lettering.cpp
 TEST_SOURCES   := $(wildcard tests/*.cpp tests/*/*.cpp)
 object = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(1))
 
@@ -42,10 +46,10 @@ TESTS  := $(BUILD)/scanshade-tests
 .PHONY: all
 all: $(CLI) $(VIEWER)  ## build both programs into build/$(config)/
 
-$(BUILD)/obj/src/viewer/%.o $(BUILD)/obj/tests/viewer/%.o: ALL_CXXFLAGS += $(SDL_CFLAGS)
+$(BUILD)/obj/src/viewer/%.o: ALL_CXXFLAGS += $(SDL_CFLAGS)
 
-# Tests of the command line run the program that was built beside them.
-$(BUILD)/obj/tests/cli/%.o: ALL_CXXFLAGS += -DSCANSHADE_BINARY='"$(abspath $(CLI))"'
+# Tests of the programs run those that were built beside them.
+$(BUILD)/obj/tests/cli/%.o $(BUILD)/obj/tests/viewer/%.o: ALL_CXXFLAGS += -DSCANSHADE_BINARY='"$(abspath $(CLI))"'
 
 $(BUILD)/obj/%.o: %.cpp | $(BUILD)/gen/brdf_models.inc
 	@mkdir -p $(@D)
@@ -66,7 +70,7 @@ $(CLI): $(call object,$(CLI_SOURCES)) $(LIB)
 $(VIEWER): $(call object,$(VIEWER_SOURCES)) $(LIB)
 	@echo "  LINK $@"
 	@$(CXX) $(ALL_CXXFLAGS) $^ -o $@ $(LIBS) $(SDL_LIBS)
-$(TESTS): $(call object,$(TEST_SOURCES)) $(LIB) | $(CLI)
+$(TESTS): $(call object,$(TEST_SOURCES) $(TESTED_SOURCES)) $(LIB) | $(CLI) $(VIEWER)
 	@echo "  LINK $@"
 	@$(CXX) $(ALL_CXXFLAGS) $^ -o $@ $(LIBS)
 

@@ -2,8 +2,8 @@
 // the class that the file defines.
 
 /// The vector kernel of this target.
-SpanEvents illuminate_lanes(const SurfaceSpan<float>& span, const Lighting<float>& lighting,
-                            const MaterialParams<float>& material) {
+static SpanEvents illuminate_lanes(const SurfaceSpan<float>& span, const Lighting<float>& lighting,
+                                   const MaterialParams<float>& material) {
     return illuminate_span<SCANSHADE_MODEL, Lanes>(span, lighting, material);
 }
 

@@ -1,6 +1,8 @@
 // The plan: what a picture needs, decided once, before anything is drawn.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -26,6 +28,8 @@ struct RenderPlan {
     Interpolation interpolation;
     RendererKind renderer;
     Cull cull;
+    std::array<float, 3> background;
+    Camera camera;  // in normalised space
     DepthRange depth;
     std::vector<ObjectPlan> objects;
     std::vector<ResolvedMaterial> materials;
@@ -36,7 +40,7 @@ struct RenderPlan {
     bool face_light = false;    // some object is flat
     bool pixel_light = false;   // some object is phong
     bool texture = false;       // some material in use has a texture
-    bool lights = false;        // some material in use is lit
+    std::size_t light_count = 0;  // 0 where no material in use is lit
 };
 
 /// `scene` must be normalised. Throws Error for materials that no model can draw.

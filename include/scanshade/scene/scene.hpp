@@ -48,7 +48,8 @@ struct Scene {
 /// three-point lighting. Throws Error.
 Scene load_scene(const std::filesystem::path& input, Settings& settings);
 
-/// The same for a scene file's text; relative paths are resolved against `folder`.
+/// A scene file's text, without what the options override. `file` is named in messages, and paths
+/// in the text are relative to its folder.
 Scene parse_scene(std::string_view toml, const std::filesystem::path& file, Settings& settings);
 
 /// A scene with one object and one material, framed and lit by default: what tests, sheets and

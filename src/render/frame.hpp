@@ -1,0 +1,51 @@
+// The state of one picture on its way through the stages.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render/transform.hpp"
+#include "scanshade/image/framebuffer.hpp"
+#include "scanshade/kernels/span.hpp"
+#include "scanshade/render/renderer.hpp"
+
+namespace scanshade {
+
+/// Light at the corners (Gouraud) or in the middle (flat) of visible faces, one object's. A key is
+/// made of the material, the side and the number of the vertex or face.
+template <class T>
+struct LitPoints {
+    std::vector<std::uint64_t> key;  // ascending
+    std::vector<T> radiance[3];      // [key]
+    std::vector<T> unreflecting[3];  // [key] with albedo 0; empty where nothing is textured
+};
+
+/// What a stage reads and writes.
+struct Frame {
+    Frame(const Scene& normalised_scene, const RenderPlan& render_plan, Framebuffer& into)
+        : scene(normalised_scene), plan(render_plan), target(into) {}
+
+    const Scene& scene;  // normalised
+    const RenderPlan& plan;
+    View view{};
+    Lighting<double> lighting, unlit;  // the second: what an unlit material sees
+
+    std::vector<VertexFrame> vertices;  // [object]
+
+    // one sample a pixel, for the sample of this pass
+    SampleOffset sample;
+    std::vector<float> depth;       // 0: nothing there
+    std::vector<std::uint32_t> id;  // Framebuffer::no_triangle: none
+
+    std::vector<LitPoints<float>> lit_f32;  // [object]
+    std::vector<LitPoints<double>> lit_f64;
+
+    Framebuffer& target;
+    EventCounts events;
+    std::uint64_t items = 0;  // what the running stage worked on
+};
+
+/// The object that a triangle of the whole scene belongs to. O(log objects).
+std::size_t object_of(const RenderPlan& plan, std::uint32_t triangle);
+
+}  // namespace scanshade

@@ -1,0 +1,30 @@
+#include "render/shade_common.hpp"
+
+namespace scanshade {
+
+template <>
+LightingPair<double> lighting_of<double>(const Frame& frame) {
+    return {frame.lighting, frame.unlit};
+}
+
+template <>
+LightingPair<float> lighting_of<float>(const Frame& frame) {
+    return {to_float(frame.lighting), to_float(frame.unlit)};
+}
+
+bool patch_corners(const Frame& frame, const DrawnFace& face, std::uint32_t (&vertex)[4],
+                   PictureCorner (&corner)[4]) {
+    const Mesh& mesh = *frame.scene.objects[face.object].mesh;
+    if (frame.plan.interpolation != Interpolation::patch || mesh.corner_count(face.face) != 4)
+        return false;
+    const VertexFrame& vertices = frame.vertices[face.object];
+    constexpr std::uint32_t order[4] = {0, 1, 3, 2};
+    for (int i = 0; i < 4; ++i) {
+        vertex[i] = mesh.corner[mesh.face_begin[face.face] + order[i]];
+        if (vertices.outcode[vertex[i]] != 0) return false;
+        corner[i] = {double(vertices.point[vertex[i]].x), double(vertices.point[vertex[i]].y)};
+    }
+    return drawn_whole(frame, face.object, face.face);
+}
+
+}  // namespace scanshade

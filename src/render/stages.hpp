@@ -1,0 +1,24 @@
+// The stages of a picture, as rows of one table.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "render/frame.hpp"
+
+namespace scanshade {
+
+struct Stage {
+    std::string_view name;
+    std::string_view item_name;  // what it works on
+    bool each_sample;            // runs anew for each sample of a pixel
+    bool (*needed)(const RenderPlan&);
+    std::string (*reason)(const RenderPlan&);  // why it runs or not, with the counts
+    void (*run)(Frame&);
+};
+
+/// In the order in which they run.
+std::span<const Stage> all_stages();
+
+}  // namespace scanshade

@@ -1,0 +1,194 @@
+// The table of options that every rendering command, scene files and the viewer share.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <glm/glm.hpp>
+
+#include "scanshade/base/error.hpp"
+#include "scanshade/base/text.hpp"
+#include "scanshade/image/image.hpp"
+#include "scanshade/scene/settings.hpp"
+
+namespace scanshade {
+namespace {
+
+constexpr std::string_view shadings[] = {"flat", "gouraud", "phong"};
+constexpr std::string_view interpolations[] = {"perspective", "edges", "patch"};
+constexpr std::string_view renderers[] = {"scalar-f32", "scalar-f64"};
+constexpr std::string_view transfers[] = {"srgb", "linear"};
+constexpr std::string_view projections[] = {"perspective", "orthographic"};
+constexpr std::string_view normal_sources[] = {"file", "average", "area", "angle"};
+constexpr std::string_view culls[] = {"none", "back"};
+constexpr std::string_view up_axes[] = {"y", "z"};
+
+/// The value of an enum whose names stand in a table in its order.
+template <class Enum>
+Enum choice(std::string_view option, std::span<const std::string_view> names,
+            std::string_view value) {
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (names[i] == value) return static_cast<Enum>(i);
+    throw Error(Errc::usage,
+                fmt::format("--{} knows no '{}'{}", option, value, suggestion(value, names)));
+}
+
+[[noreturn]] void fail(std::string_view option, std::string_view takes, std::string_view value) {
+    throw Error(Errc::usage, fmt::format("--{} takes {}, not '{}'", option, takes, value));
+}
+
+double real_between(std::string_view option, double low, double high, std::string_view takes,
+                    std::string_view value) {
+    const auto number = parse_real(value);
+    if (!number || !(*number >= low && *number <= high)) fail(option, takes, value);
+    return *number;
+}
+
+glm::dvec3 three(std::string_view option, std::string_view takes, std::string_view value) {
+    const auto parts = split(value, ',');
+    if (parts.size() != 3) fail(option, takes, value);
+    glm::dvec3 v(0);
+    for (int i = 0; i < 3; ++i) {
+        const auto number = parse_real(parts[static_cast<std::size_t>(i)]);
+        if (!number) fail(option, takes, value);
+        v[i] = *number;
+    }
+    return v;
+}
+
+glm::dvec3 point(std::string_view option, std::string_view value) {
+    return three(option, "three numbers x,y,z", value);
+}
+
+void set_resolution(Settings& s, std::string_view value) {
+    constexpr std::string_view takes = "width,height in pixels, each 1 to 16384, such as 1280,720";
+    const auto parts = split(value, ',');
+    if (parts.size() != 2) fail("resolution", takes, value);
+    int size[2];
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto n = parse_integer(parts[i]);
+        if (!n || *n < 1 || *n > max_image_side) fail("resolution", takes, value);
+        size[i] = static_cast<int>(*n);
+    }
+    s.width = size[0];
+    s.height = size[1];
+}
+
+void set_samples(Settings& s, std::string_view value) {
+    const auto n = parse_integer(value);
+    const int side = n && *n >= 1 && *n <= 1024
+                         ? static_cast<int>(std::lround(std::sqrt(static_cast<double>(*n))))
+                         : 0;
+    if (side == 0 || side * side != *n)
+        fail("samples", "a square number from 1 to 1024, such as 4 or 16", value);
+    s.samples = side * side;
+}
+
+void set_parameter(Settings& s, std::string_view value) {
+    const std::size_t equals = value.find('=');
+    if (equals == std::string_view::npos || equals == 0)
+        fail("set", "NAME=V or NAME=R,G,B, such as shininess=80", value);
+    ParamSetting setting{std::string(value.substr(0, equals)), {}, {}};
+    setting.place = "--set " + setting.name;
+    for (const std::string_view part : split(value.substr(equals + 1), ',')) {
+        const auto number = parse_real(part);
+        if (!number) fail("set", "NAME=V or NAME=R,G,B, such as shininess=80", value);
+        setting.values.push_back(*number);
+    }
+    s.set.push_back(std::move(setting));
+}
+
+void set_background(Settings& s, std::string_view value) {
+    constexpr std::string_view takes = "three numbers r,g,b of linear radiance, 0 or more";
+    const glm::dvec3 v = three("background", takes, value);
+    if (v.x < 0 || v.y < 0 || v.z < 0) fail("background", takes, value);
+    s.background = v;
+}
+
+bool flag(std::string_view option, std::string_view value) {
+    if (value.empty() || value == "true") return true;
+    if (value == "false") return false;
+    fail(option, "true or false", value);
+}
+
+// A light given anew replaces the scene's, one given again is added to it.
+constexpr OptionInfo options[] = {
+    {"resolution", "W,H", "size of the picture in pixels, 1 to 16384 each", false, false,
+     set_resolution},
+    {"shading", "flat|gouraud|phong",
+     "where reflection is evaluated: at faces, at vertices, at pixels", false, false,
+     [](Settings& s, std::string_view v) { s.shading = choice<Shading>("shading", shadings, v); }},
+    {"brdf", "NAME|unlit", "reflection model of every material; see `scanshade brdf list`", false,
+     false, [](Settings& s, std::string_view v) { s.brdf = v; }},
+    {"set", "NAME=V[,V,V]", "a parameter of every material, such as shininess=80", true, false,
+     set_parameter},
+    {"interpolation", "perspective|edges|patch", "how values travel inside a polygon", false, false,
+     [](Settings& s, std::string_view v) {
+         s.interpolation = choice<Interpolation>("interpolation", interpolations, v);
+     }},
+    {"renderer", "scalar-f32|scalar-f64", "numbers that shading computes with", false, false,
+     [](Settings& s, std::string_view v) {
+         s.renderer = choice<RendererKind>("renderer", renderers, v);
+     }},
+    {"samples", "N", "samples a pixel, a square number from 1 to 1024", false, false, set_samples},
+    {"transfer", "srgb|linear", "curve from radiance to bytes", false, false,
+     [](Settings& s, std::string_view v) {
+         s.transfer = choice<Transfer>("transfer", transfers, v);
+     }},
+    {"exposure", "EV", "radiance is multiplied by 2^EV, -100 to 100", false, false,
+     [](Settings& s, std::string_view v) {
+         s.exposure_ev = real_between("exposure", -100, 100, "a number from -100 to 100", v);
+     }},
+    {"background", "R,G,B", "linear radiance where nothing is drawn", false, false, set_background},
+    {"camera-position", "X,Y,Z", "where the camera stands", false, false,
+     [](Settings& s, std::string_view v) { s.camera_position = point("camera-position", v); }},
+    {"camera-focal-point", "X,Y,Z", "what the camera looks at", false, false,
+     [](Settings& s, std::string_view v) {
+         s.camera_focal_point = point("camera-focal-point", v);
+     }},
+    {"camera-view-up", "X,Y,Z", "direction that points up in the picture", false, false,
+     [](Settings& s, std::string_view v) { s.camera_view_up = point("camera-view-up", v); }},
+    {"camera-view-angle", "DEG", "vertical angle of view, above 0 and below 180", false, false,
+     [](Settings& s, std::string_view v) {
+         s.camera_view_angle_deg =
+             real_between("camera-view-angle", 1e-3, 179.9, "degrees from 0.001 to 179.9", v);
+     }},
+    {"projection", "perspective|orthographic", "kind of camera", false, false,
+     [](Settings& s, std::string_view v) {
+         s.projection = choice<Projection>("projection", projections, v);
+     }},
+    {"light", "TYPE:...",
+     "a light instead of the scene's: point:x,y,z[:r,g,b[:c,l,q]] directional:dx,dy,dz[:r,g,b] "
+     "spot:x,y,z:dx,dy,dz:deg[:r,g,b[:c,l,q]] cosine:x,y,z:dx,dy,dz[:r,g,b[:c,l,q]]",
+     true, false, [](Settings& s, std::string_view v) { s.lights.push_back(parse_light(v)); }},
+    {"normals", "file|average|area|angle", "where vertex normals of a mesh file come from", false,
+     false,
+     [](Settings& s, std::string_view v) {
+         s.normals.source = choice<NormalSource>("normals", normal_sources, v);
+     }},
+    {"crease", "DEG", "faces at a larger angle share no normal, 0 to 180 (never split)", false,
+     false,
+     [](Settings& s, std::string_view v) {
+         s.normals.crease_deg = real_between("crease", 0, 180, "degrees from 0 to 180", v);
+     }},
+    {"cull", "none|back", "leave out faces seen from behind", false, false,
+     [](Settings& s, std::string_view v) { s.cull = choice<Cull>("cull", culls, v); }},
+    {"mtl-ambient", "", "take k_a from the MTL file instead of from Kd", false, true,
+     [](Settings& s, std::string_view v) { s.mtl_ambient = flag("mtl-ambient", v); }},
+    {"up", "y|z", "axis that points up in an OBJ file", false, false,
+     [](Settings& s, std::string_view v) { s.up = choice<UpAxis>("up", up_axes, v); }},
+};
+
+}  // namespace
+
+std::span<const std::string_view> shading_names() { return shadings; }
+std::span<const std::string_view> interpolation_names() { return interpolations; }
+std::span<const std::string_view> renderer_names() { return renderers; }
+
+std::span<const OptionInfo> shared_options() { return options; }
+
+const OptionInfo* find_option(std::string_view name) {
+    for (const OptionInfo& option : options)
+        if (option.name == name) return &option;
+    return nullptr;
+}
+
+}  // namespace scanshade

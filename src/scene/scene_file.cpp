@@ -1,0 +1,129 @@
+// TOML scenes.
+#include <fmt/format.h>
+
+#include <glm/glm.hpp>
+#include <map>
+
+#include "scanshade/base/error.hpp"
+#include "scanshade/base/text.hpp"
+#include "scanshade/image/png.hpp"
+#include "scanshade/scene/scene.hpp"
+#include "scene/scene_parts.hpp"
+
+namespace scanshade {
+namespace {
+
+/// Options as a scene file spells them, unless the command line has said something else.
+void apply_option(const TomlReader& reader, const toml::node& node, std::string_view option,
+                  const std::string& value, Settings& settings) {
+    if (settings.is_given(option)) return;
+    try {
+        find_option(option)->apply(settings, value);
+    } catch (const Error& e) {
+        throw reader.error(node, e.what());
+    }
+}
+
+/// A value of [render] as the command line would have it.
+std::string option_text(const TomlReader& reader, const toml::node& node, std::string_view key) {
+    if (const auto* text = node.as_string()) return text->get();
+    if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
+    if (const auto* whole = node.as_integer()) return fmt::format("{}", whole->get());
+    if (const auto* array = node.as_array()) {
+        std::string joined;
+        for (const toml::node& element : *array)
+            joined += (joined.empty() ? "" : ",") + option_text(reader, element, key);
+        return joined;
+    }
+    return fmt::format("{}",
+                       reader.number(node, key, "a text, a number, true or false, or an array"));
+}
+
+void read_render(const TomlReader& reader, Settings& settings) {
+    std::vector<std::string_view> names;
+    for (const OptionInfo& option : shared_options()) names.push_back(option.name);
+    for (const auto& [key, node] : reader.table()) {
+        const OptionInfo* option = find_option(key.str());
+        if (option == nullptr)
+            throw reader.error(node, fmt::format("[render] has no key '{}'{}", key.str(),
+                                                 suggestion(key.str(), names)));
+        const toml::array* list = node.as_array();
+        const bool texts = list != nullptr && list->is_homogeneous(toml::node_type::string);
+        if (!option->repeatable || !texts) {
+            apply_option(reader, node, option->name, option_text(reader, node, key.str()),
+                         settings);
+            continue;
+        }
+        for (const toml::node& element : *list)
+            apply_option(reader, element, option->name, option_text(reader, element, key.str()),
+                         settings);
+    }
+}
+
+void read_image(const TomlReader& reader, Settings& settings) {
+    reader.allow_only({"size", "background", "samples"});
+    const std::pair<std::string_view, std::string_view> rows[] = {
+        {"size", "resolution"}, {"background", "background"}, {"samples", "samples"}};
+    for (const auto& [key, option] : rows)
+        if (const toml::node* node = reader.node(key))
+            apply_option(reader, *node, option, option_text(reader, *node, key), settings);
+}
+
+/// The table of that name, or nullptr.
+const toml::table* sub_table(const TomlReader& root, std::string_view key) {
+    const toml::node* node = root.node(key);
+    if (node == nullptr) return nullptr;
+    if (!node->is_table())
+        throw root.error(*node, fmt::format("write {} as a table: [{}]", key, key));
+    return node->as_table();
+}
+
+/// Calls read(reader) for each [[key]].
+template <class Read>
+void each_table(const TomlReader& root, std::string_view key, Read&& read) {
+    const toml::node* node = root.node(key);
+    if (node == nullptr) return;
+    const auto misspelt = [&](const toml::node& at) {
+        return root.error(at, fmt::format("write {} as an array of tables: [[{}]]", key, key));
+    };
+    if (!node->is_array()) throw misspelt(*node);
+    for (const toml::node& element : *node->as_array()) {
+        if (!element.is_table()) throw misspelt(element);
+        read(TomlReader(*element.as_table(), root.file(), fmt::format("[[{}]]", key)));
+    }
+}
+
+toml::table parse_toml(std::string_view text, const std::string& file) {
+    try {
+        return toml::parse(text, file);
+    } catch (const toml::parse_error& e) {
+        throw Error(Errc::format, fmt::format("this is no TOML: {}", e.description()))
+            .at(file, static_cast<long>(e.source().begin.line));
+    }
+}
+
+}  // namespace
+
+Scene parse_scene(std::string_view text, const std::filesystem::path& file, Settings& settings) {
+    const toml::table table = parse_toml(text, file.string());
+    const TomlReader root(table, file.string(), "the scene");
+    root.allow_only({"ambient", "image", "camera", "light", "material", "object", "render"});
+    Scene scene;
+    if (const toml::table* render = sub_table(root, "render"))
+        read_render(TomlReader(*render, root.file(), "[render]"), settings);
+    if (const toml::table* image = sub_table(root, "image"))
+        read_image(TomlReader(*image, root.file(), "[image]"), settings);
+    if (const toml::table* camera = sub_table(root, "camera"))
+        scene.camera = read_camera(TomlReader(*camera, root.file(), "[camera]"));
+    scene.ambient = root.not_negative("ambient").value_or(glm::dvec3(0));
+    each_table(root, "light",
+               [&](const TomlReader& reader) { scene.lights.push_back(read_light(reader)); });
+    each_table(root, "material", [&](const TomlReader& reader) {
+        scene.materials.push_back(read_material(reader, file.parent_path()));
+    });
+    ObjectReader objects(file.parent_path(), settings, scene);
+    each_table(root, "object", [&](const TomlReader& reader) { objects.read(reader); });
+    return scene;
+}
+
+}  // namespace scanshade

@@ -1,0 +1,197 @@
+#include "scene/scene_parts.hpp"
+
+#include <algorithm>
+#include <glm/glm.hpp>
+#include <glm/gtc/matrix_access.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "scanshade/image/png.hpp"
+#include "scanshade/scene/obj.hpp"
+#include "scanshade/scene/shapes.hpp"
+
+namespace scanshade {
+
+Camera read_camera(const TomlReader& reader) {
+    reader.allow_only(
+        {"position", "focal_point", "view_up", "view_angle", "projection", "near", "far"});
+    constexpr std::string_view projections[] = {"perspective", "orthographic"};
+    Camera camera;
+    camera.position = reader.vector("position").value_or(camera.position);
+    camera.focal_point = reader.vector("focal_point").value_or(camera.focal_point);
+    camera.view_up = reader.vector("view_up").value_or(camera.view_up);
+    camera.view_angle_deg =
+        reader.real_between("view_angle", 1e-3, 179.9).value_or(camera.view_angle_deg);
+    camera.projection =
+        static_cast<Projection>(reader.choice("projection", projections).value_or(0));
+    camera.near = reader.real_between("near", 1e-30, 1e30);
+    camera.far = reader.real_between("far", 1e-30, 1e30);
+    try {
+        eye_rotation(camera);
+    } catch (const Error& e) {
+        throw reader.error(e.what());
+    }
+    return camera;
+}
+
+Light read_light(const TomlReader& reader) {
+    reader.allow_only({"type", "position", "direction", "intensity", "attenuation", "cutoff",
+                       "penumbra", "radius"});
+    Light light;
+    const auto kind = reader.choice("type", light_kind_names());
+    if (!kind)
+        throw reader.error(
+            "[[light]] has no type; give type = \"point\", \"directional\", "
+            "\"spot\" or \"cosine\"");
+    light.kind = static_cast<LightKind>(*kind);
+    light.position = reader.vector("position").value_or(light.position);
+    light.direction = reader.vector("direction").value_or(light.direction);
+    if (light.direction == glm::dvec3(0))
+        throw reader.error(*reader.node("direction"),
+                           "the direction of a light must not be 0, 0, 0");
+    light.intensity = reader.not_negative("intensity").value_or(light.intensity);
+    light.attenuation = reader.not_negative("attenuation").value_or(light.attenuation);
+    if (light.attenuation == glm::dvec3(0))
+        throw reader.error(*reader.node("attenuation"),
+                           "attenuation = [c, l, q] must not be all 0; [1, 0, 0] is none");
+    light.cutoff_deg = reader.real_between("cutoff", 1e-3, 180).value_or(light.cutoff_deg);
+    light.penumbra_deg = reader.real_between("penumbra", 0, light.cutoff_deg).value_or(0);
+    light.radius = reader.real_between("radius", 1e-30, 1e30);
+    return light;
+}
+
+Material read_material(const TomlReader& reader, const std::filesystem::path& folder) {
+    Material material;
+    const auto name = reader.text("name");
+    if (!name || name->empty()) throw reader.error("[[material]] has no name; give name = \"...\"");
+    material.name = *name;
+    material.place = reader.place(reader.table());
+    material.brdf = reader.text("brdf").value_or(material.brdf);
+    if (const auto map = reader.text("map_kd")) {
+        const std::filesystem::path path = folder / *map;
+        try {
+            material.map_kd = std::make_shared<Texture>(make_texture(load_image(path), *map));
+        } catch (const Error& e) {
+            throw reader.error(*reader.node("map_kd"), fmt::format("map_kd: {}", e.what()));
+        }
+    }
+    // Every other key is a parameter; its name is checked when the model is known for good.
+    for (const auto& [key, node] : reader.table()) {
+        if (key == "name" || key == "brdf" || key == "map_kd") continue;
+        std::vector<double> values;
+        if (const toml::array* array = node.as_array())
+            for (const toml::node& element : *array)
+                values.push_back(reader.number(element, key.str(), "one number or three"));
+        else
+            values.push_back(reader.number(node, key.str(), "one number or three"));
+        material.set(key.str(), std::move(values), reader.place(node));
+    }
+    return material;
+}
+
+namespace {
+
+/// scale, then rotate about x, y, z, then translate; or a matrix given by rows.
+glm::dmat4 read_placement(const TomlReader& reader) {
+    if (const auto m = reader.reals("matrix", 16)) {
+        for (const std::string_view key : {"scale", "rotate", "translate"})
+            if (reader.has(key))
+                throw reader.error(*reader.node("matrix"),
+                                   fmt::format("give either matrix or {}, not both", key));
+        glm::dmat4 matrix(0);
+        for (int row = 0; row < 4; ++row)
+            for (int column = 0; column < 4; ++column)
+                matrix[column][row] = (*m)[static_cast<std::size_t>(4 * row + column)];
+        if (glm::row(matrix, 3) != glm::dvec4(0, 0, 0, 1))
+            throw reader.error(*reader.node("matrix"), "the last row of matrix must be 0, 0, 0, 1");
+        return matrix;
+    }
+    const glm::dvec3 scale = reader.vector_or_number("scale").value_or(glm::dvec3(1));
+    const glm::dvec3 rotate = glm::radians(reader.vector("rotate").value_or(glm::dvec3(0)));
+    glm::dmat4 matrix =
+        glm::translate(glm::dmat4(1), reader.vector("translate").value_or(glm::dvec3(0)));
+    matrix = glm::rotate(matrix, rotate.z, {0, 0, 1});
+    matrix = glm::rotate(matrix, rotate.y, {0, 1, 0});
+    matrix = glm::rotate(matrix, rotate.x, {1, 0, 0});
+    return glm::scale(matrix, scale);
+}
+
+bool invertible(const glm::dmat4& matrix) {
+    const glm::dmat3 m(matrix);
+    const double size = std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])});
+    return size > 0 && std::abs(glm::determinant(m / size)) > 1e-12;
+}
+
+}  // namespace
+
+const ObjectReader::Source& ObjectReader::file_source(const TomlReader& reader,
+                                                      const std::string& name) {
+    const auto [at, is_new] = sources_.try_emplace("mesh " + name);
+    Source& source = at->second;
+    if (!is_new) return source;
+    ObjFile file;
+    try {
+        file = load_obj(folder_ / name, settings_.mtl_ambient);
+    } catch (const Error& e) {
+        Error here(e.code(), fmt::format("mesh: {}", e.what()));
+        throw here.at(reader.place(*reader.node("mesh")));
+    }
+    source.mesh = std::make_shared<Mesh>(build_mesh(file.soup, settings_.normals));
+    for (Material& material : file.materials) {
+        source.materials.push_back(static_cast<std::uint32_t>(scene_.materials.size()));
+        scene_.materials.push_back(std::move(material));
+    }
+    scene_.warnings.insert(scene_.warnings.end(), file.warnings.begin(), file.warnings.end());
+    scene_.events += file.events;
+    scene_.events += source.mesh->events;
+    return source;
+}
+
+const ObjectReader::Source& ObjectReader::shape_source(const TomlReader& reader,
+                                                       const std::string& name) {
+    std::vector<std::string_view> names;
+    for (const ShapeInfo& info : all_shapes()) names.push_back(info.name);
+    const ShapeInfo& shape = all_shapes()[*reader.choice("shape", names)];
+    const double n = reader.real_between("tessellation", 1, shape.max_tessellation)
+                         .value_or(shape.default_tessellation);
+    if (n != std::floor(n))
+        throw reader.error(*reader.node("tessellation"), "tessellation takes a whole number");
+    const auto [at, is_new] = sources_.try_emplace(fmt::format("shape {} {}", name, n));
+    Source& source = at->second;
+    if (!is_new) return source;
+    source.mesh = std::make_shared<Mesh>(build_mesh(shape.make(static_cast<int>(n)), {}));
+    source.materials.push_back(static_cast<std::uint32_t>(scene_.materials.size()));
+    scene_.materials.emplace_back();
+    scene_.events += source.mesh->events;
+    return source;
+}
+
+std::uint32_t ObjectReader::material_index(const TomlReader& reader) const {
+    std::vector<std::string_view> names;
+    for (std::size_t i = 0; i < named_materials_; ++i) names.push_back(scene_.materials[i].name);
+    return static_cast<std::uint32_t>(*reader.choice("material", names));
+}
+
+void ObjectReader::read(const TomlReader& reader) {
+    reader.allow_only({"mesh", "shape", "tessellation", "scale", "rotate", "translate", "matrix",
+                       "material", "shading"});
+    const auto mesh = reader.text("mesh"), shape = reader.text("shape");
+    if (mesh.has_value() == shape.has_value())
+        throw reader.error("[[object]] takes either mesh = \"file.obj\" or shape = \"...\"");
+    if (mesh && reader.has("tessellation"))
+        throw reader.error(*reader.node("tessellation"),
+                           "tessellation is for shapes, not for a mesh");
+    const Source& source = mesh ? file_source(reader, *mesh) : shape_source(reader, *shape);
+    Object object;
+    object.mesh = source.mesh;
+    object.materials = source.materials;
+    if (reader.has("material"))
+        std::fill(object.materials.begin(), object.materials.end(), material_index(reader));
+    if (const auto shading = reader.choice("shading", shading_names()))
+        object.shading = static_cast<Shading>(*shading);
+    object.to_world = read_placement(reader);
+    if (!invertible(object.to_world))
+        throw reader.error("the object's scale or matrix flattens it; no factor may be 0");
+    scene_.objects.push_back(std::move(object));
+}
+
+}  // namespace scanshade

@@ -1,0 +1,55 @@
+// The window: shows a picture pixel by pixel.
+#pragma once
+
+#include <SDL.h>
+
+#include <memory>
+#include <string>
+
+#include "scanshade/image/image.hpp"
+
+namespace scanshade::viewer {
+
+struct WindowSize {
+    int width, height;   // points, as the desktop counts
+    bool fit_to_screen;  // shrunk, its proportions kept, where the screen is smaller
+};
+
+/// Owns SDL's video for as long as it lives; one at a time.
+class Window {
+public:
+    /// Opens a resizable window. Throws Error(file) where that cannot be done.
+    explicit Window(const WindowSize& size);
+
+    /// Size of the picture that fills the window, in pixels.
+    int width() const { return width_; }
+    int height() const { return height_; }
+    double pixels_per_point() const;
+
+    /// Asks the desktop for the size again, after an event that may have changed it.
+    void update_size();
+
+    void set_title(const std::string& title);
+
+    void show(const Image& picture);
+
+private:
+    struct Quit {
+        ~Quit() { SDL_Quit(); }
+    };
+    struct Destroy {
+        void operator()(SDL_Window* window) const { SDL_DestroyWindow(window); }
+        void operator()(SDL_Renderer* renderer) const { SDL_DestroyRenderer(renderer); }
+        void operator()(SDL_Texture* texture) const { SDL_DestroyTexture(texture); }
+    };
+
+    void upload(const Image& picture);
+
+    Quit quit_;  // first, so that it goes last
+    std::unique_ptr<SDL_Window, Destroy> window_;
+    std::unique_ptr<SDL_Renderer, Destroy> renderer_;
+    std::unique_ptr<SDL_Texture, Destroy> texture_;
+    int width_ = 0, height_ = 0;
+};
+
+}  // namespace scanshade::viewer

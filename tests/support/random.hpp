@@ -1,0 +1,32 @@
+// Random numbers for tests: from fixed seeds, the same on every machine.
+#pragma once
+
+#include <cstdint>
+
+namespace scanshade {
+
+/// SplitMix64 (Steele, Lea and Flood 2014).
+class Rng {
+public:
+    explicit Rng(std::uint64_t seed) : state_(seed) {}
+
+    std::uint64_t bits() {
+        std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+        return z ^ (z >> 31);
+    }
+    /// In [low, high).
+    double real(double low, double high) {
+        return low + (high - low) * (static_cast<double>(bits() >> 11) * 0x1p-53);
+    }
+    /// In [low, high].
+    std::int64_t integer(std::int64_t low, std::int64_t high) {
+        return low + static_cast<std::int64_t>(bits() % static_cast<std::uint64_t>(high - low + 1));
+    }
+
+private:
+    std::uint64_t state_;
+};
+
+}  // namespace scanshade
