@@ -1,8 +1,6 @@
 // Loops over the registry: a model added tomorrow is tested tomorrow.
 #include "scanshade/brdf/brdf.hpp"
 
-#include <hwy/targets.h>
-
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
@@ -10,6 +8,7 @@
 #include <vector>
 
 #include "scanshade/base/error.hpp"
+#include "scanshade/kernels/isa.hpp"
 #include "scanshade/num/target.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
@@ -214,12 +213,11 @@ Lighting<float> narrow(const Lighting<double>& from) {
 }  // namespace
 
 TEST_CASE("every instruction set lights a span as double does", "[brdf][kernels][isa]") {
-    const std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();
-    REQUIRE_FALSE(targets.empty());
+    REQUIRE_FALSE(instruction_sets().empty());
     for (const BrdfInfo* brdf : all_brdfs())
-        for (const std::int64_t target : targets)
-            DYNAMIC_SECTION(brdf->name << " on " << hwy::TargetName(target)) {
-                hwy::SetSupportedTargetsForTest(target);
+        for (const std::string& isa : instruction_sets())
+            DYNAMIC_SECTION(brdf->name << " on " << isa) {
+                use_instruction_set(isa);
                 Rng rng(33);
                 for (const std::size_t count : {1u, 5u, 16u, 250u}) {
                     const SpanCase span(count, rng);
@@ -236,7 +234,7 @@ TEST_CASE("every instruction set lights a span as double does", "[brdf][kernels]
                         REQUIRE(std::abs(double(f32[i]) - f64[i]) <= bound * (f64[i] + 0.1));
                     }
                 }
-                hwy::SetSupportedTargetsForTest(0);
+                use_instruction_set("");
             }
 }
 
@@ -250,11 +248,11 @@ TEST_CASE("without a fraction in the exponent every instruction set has the bits
     const SpanCase span(333, rng);
     const Lighting<float> lights = narrow(span.lighting);
     const auto f32 = span.run(brdf->illuminate_f32, lights, params);
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-        hwy::SetSupportedTargetsForTest(target);
-        CAPTURE(hwy::TargetName(target));
+    for (const std::string& isa : instruction_sets()) {
+        use_instruction_set(isa);
+        CAPTURE(isa);
         CHECK(span.run(brdf->illuminate_simd, lights, params) == f32);
-        hwy::SetSupportedTargetsForTest(0);
+        use_instruction_set("");
     }
 }
 
