@@ -10,6 +10,7 @@
 #include "scanshade/base/error.hpp"
 #include "scanshade/base/text.hpp"
 #include "scanshade/scene/settings.hpp"
+#include "scene/limits.hpp"
 
 namespace scanshade {
 namespace {
@@ -61,7 +62,9 @@ private:
     std::size_t next_ = 1;
 };
 
-bool all_non_negative(const glm::dvec3& v) { return v.x >= 0 && v.y >= 0 && v.z >= 0; }
+bool is_radiance(const glm::dvec3& v) {
+    return v.x >= 0 && v.y >= 0 && v.z >= 0 && max_abs(v) <= max_radiance;
+}
 
 }  // namespace
 
@@ -85,10 +88,11 @@ Light parse_light(std::string_view text) {
         light.attenuation = parser.vector("attenuation");
     if (parser.more()) parser.fail("end");
 
+    if (max_abs(light.position) > max_coordinate) parser.fail("position (-1e100 to 1e100)");
     if (light.direction == glm::dvec3(0)) parser.fail("direction (not 0,0,0)");
-    if (!all_non_negative(light.intensity)) parser.fail("colour (not negative)");
-    if (!all_non_negative(light.attenuation) || light.attenuation == glm::dvec3(0))
-        parser.fail("attenuation (not negative, not all 0)");
+    if (!is_radiance(light.intensity)) parser.fail("colour (0 to 1e30)");
+    if (!is_radiance(light.attenuation) || light.attenuation == glm::dvec3(0))
+        parser.fail("attenuation (0 to 1e30, not all 0)");
     if (!(light.cutoff_deg > 0 && light.cutoff_deg <= 180))
         parser.fail("angle (half the cone, above 0 and up to 180)");
     return light;

@@ -39,7 +39,7 @@ std::string read_text(const std::filesystem::path& path, std::size_t max_bytes) 
             .at(path.string());
     if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
     if (const auto zero = std::find(text.begin(), text.end(), '\0'); zero != text.end())
-        throw Error(Errc::format, "the line has a byte of value 0, so the file is no OBJ text")
+        throw Error(Errc::format, "the line has a byte of value 0, so the file is no text")
             .at(path.string(), 1 + std::count(text.begin(), zero, '\n'));
     return text;
 }

@@ -8,6 +8,7 @@
 #include "scanshade/base/text.hpp"
 #include "scanshade/image/image.hpp"
 #include "scanshade/scene/settings.hpp"
+#include "scene/limits.hpp"
 
 namespace scanshade {
 namespace {
@@ -55,7 +56,10 @@ glm::dvec3 three(std::string_view option, std::string_view takes, std::string_vi
 }
 
 glm::dvec3 point(std::string_view option, std::string_view value) {
-    return three(option, "three numbers x,y,z", value);
+    constexpr std::string_view takes = "three numbers x,y,z, each from -1e100 to 1e100";
+    const glm::dvec3 v = three(option, takes, value);
+    if (max_abs(v) > max_coordinate) fail(option, takes, value);
+    return v;
 }
 
 void set_resolution(Settings& s, std::string_view value) {
@@ -83,23 +87,26 @@ void set_samples(Settings& s, std::string_view value) {
 }
 
 void set_parameter(Settings& s, std::string_view value) {
+    constexpr std::string_view takes = "NAME=V or NAME=R,G,B, such as shininess=80";
     const std::size_t equals = value.find('=');
-    if (equals == std::string_view::npos || equals == 0)
-        fail("set", "NAME=V or NAME=R,G,B, such as shininess=80", value);
+    if (equals == std::string_view::npos || equals == 0) fail("set", takes, value);
     ParamSetting setting{std::string(value.substr(0, equals)), {}, {}};
     setting.place = "--set " + setting.name;
     for (const std::string_view part : split(value.substr(equals + 1), ',')) {
         const auto number = parse_real(part);
-        if (!number) fail("set", "NAME=V or NAME=R,G,B, such as shininess=80", value);
+        if (!number) fail("set", takes, value);
         setting.values.push_back(*number);
     }
+    if (setting.values.size() != 1 && setting.values.size() != 3) fail("set", takes, value);
     s.set.push_back(std::move(setting));
 }
 
 void set_background(Settings& s, std::string_view value) {
-    constexpr std::string_view takes = "three numbers r,g,b of linear radiance, 0 or more";
+    constexpr std::string_view takes =
+        "three numbers r,g,b of linear radiance, each from 0 to 1e30";
     const glm::dvec3 v = three("background", takes, value);
-    if (v.x < 0 || v.y < 0 || v.z < 0) fail("background", takes, value);
+    if (v.x < 0 || v.y < 0 || v.z < 0 || max_abs(v) > max_radiance)
+        fail("background", takes, value);
     s.background = v;
 }
 
@@ -149,7 +156,8 @@ constexpr OptionInfo options[] = {
     {"camera-view-angle", "DEG", "vertical angle of view, above 0 and below 180", false, false,
      [](Settings& s, std::string_view v) {
          s.camera_view_angle_deg =
-             real_between("camera-view-angle", 1e-3, 179.9, "degrees from 0.001 to 179.9", v);
+             real_between("camera-view-angle", min_view_angle_deg, max_view_angle_deg,
+                          "degrees from 0.001 to 179.9", v);
      }},
     {"projection", "perspective|orthographic", "kind of camera", false, false,
      [](Settings& s, std::string_view v) {

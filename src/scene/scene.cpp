@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <fstream>
 #include <glm/glm.hpp>
-#include <glm/gtc/matrix_transform.hpp>
-#include <iterator>
 
 #include "scanshade/base/error.hpp"
 #include "scanshade/scene/obj.hpp"
+#include "scene/limits.hpp"
+#include "scene/obj_text.hpp"
+#include "scene/up_axis.hpp"
 
 namespace scanshade {
 
@@ -35,7 +35,8 @@ Bounds Scene::bounds() const {
     }
     if (!(low.x <= high.x)) return {};
     // Halves first: the sum of two huge coordinates need not be finite.
-    const double radius = glm::length(high / 2.0 - low / 2.0);
+    const glm::dvec3 half = high / 2.0 - low / 2.0;
+    const double radius = std::hypot(half.x, half.y, half.z);
     return {low / 2.0 + high / 2.0, radius > 0 ? radius : 1};
 }
 
@@ -92,6 +93,8 @@ Scene normalised(const Scene& scene) {
 namespace {
 
 constexpr glm::dvec3 default_ambient(0.12);
+constexpr std::size_t max_scene_bytes = std::size_t{1} << 26;
+constexpr double min_radius = 1e-100;
 
 double aspect_of(const Settings& settings) {
     return double(settings.width) / double(settings.height);
@@ -117,8 +120,7 @@ Scene load_obj_scene(const std::filesystem::path& path, const Settings& settings
     Scene scene;
     Object object;
     object.mesh = std::make_shared<Mesh>(build_mesh(file.soup, settings.normals));
-    if (settings.up == UpAxis::z)
-        object.to_world = glm::rotate(glm::dmat4(1), glm::radians(-90.0), glm::dvec3(1, 0, 0));
+    object.to_world = up_rotation(settings.up);
     for (std::uint32_t i = 0; i < file.materials.size(); ++i) object.materials.push_back(i);
     scene.events = file.events;
     scene.events += object.mesh->events;
@@ -129,22 +131,23 @@ Scene load_obj_scene(const std::filesystem::path& path, const Settings& settings
     return scene;
 }
 
+/// Bounds that the renderer's arithmetic can bear; false for what is not finite, too.
+void check_extent(const Bounds& bounds, const std::filesystem::path& input) {
+    if (max_abs(bounds.centre) <= max_coordinate && bounds.radius >= min_radius &&
+        bounds.radius <= max_coordinate)
+        return;
+    throw Error(Errc::scene,
+                fmt::format("the scene has a radius of {} and lies at {}, {}, {}; a radius from {} "
+                            "to {} can be drawn, and a centre up to {}",
+                            bounds.radius, bounds.centre.x, bounds.centre.y, bounds.centre.z,
+                            min_radius, max_coordinate, max_coordinate))
+        .at(input.string());
+}
+
 std::string lower_extension(const std::filesystem::path& path) {
     std::string extension = path.extension().string();
     for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return extension;
-}
-
-std::string read_text(const std::filesystem::path& path) {
-    constexpr std::uintmax_t largest = 64u << 20;
-    std::error_code error;
-    if (std::filesystem::file_size(path, error) > largest && !error)
-        throw Error(Errc::format, "a scene file of more than 64 MiB is none").at(path.string());
-    std::ifstream file(path, std::ios::binary);
-    std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-    if (!file.good() && !file.eof())
-        throw Error(Errc::file, "the file cannot be read; check its permissions").at(path.string());
-    return text;
 }
 
 void check_file(const std::filesystem::path& path) {
@@ -184,7 +187,7 @@ Scene load_scene(const std::filesystem::path& input, Settings& settings) {
     if (extension == ".obj")
         scene = load_obj_scene(input, settings);
     else if (extension == ".toml")
-        scene = parse_scene(read_text(input), input, settings);
+        scene = parse_scene(read_text(input, max_scene_bytes), input, settings);
     else
         throw Error(
             Errc::format,
@@ -193,7 +196,12 @@ Scene load_scene(const std::filesystem::path& input, Settings& settings) {
     scene.name = input.stem().string();
     if (scene.triangle_count() == 0)
         throw Error(Errc::format, "the file has no face that can be drawn").at(input.string());
+    check_extent(scene.bounds(), input);
     apply_overrides(scene, settings);
+    if (scene.camera) {
+        eye_rotation(*scene.camera);
+        depth_range(*scene.camera, scene.bounds());
+    }
     if (extension == ".obj" && settings.lights.empty()) {
         const Bounds bounds = scene.bounds();
         scene.lights = three_point_lights(

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include <glm/glm.hpp>
-#include <map>
+#include <set>
 
 #include "scanshade/base/error.hpp"
 #include "scanshade/base/text.hpp"
@@ -16,9 +16,12 @@ namespace {
 /// Options as a scene file spells them, unless the command line has said something else.
 void apply_option(const TomlReader& reader, const toml::node& node, std::string_view option,
                   const std::string& value, Settings& settings) {
-    if (settings.is_given(option)) return;
+    // What the command line overrides is checked all the same.
+    Settings overridden;
+    const bool given = settings.is_given(option);
     try {
-        find_option(option)->apply(settings, value);
+        find_option(option)->apply(given ? overridden : settings, value);
+        if (option == "set" && !given) settings.set.back().place = reader.place(node);
     } catch (const Error& e) {
         throw reader.error(node, e.what());
     }
@@ -113,16 +116,26 @@ Scene parse_scene(std::string_view text, const std::filesystem::path& file, Sett
         read_render(TomlReader(*render, root.file(), "[render]"), settings);
     if (const toml::table* image = sub_table(root, "image"))
         read_image(TomlReader(*image, root.file(), "[image]"), settings);
-    if (const toml::table* camera = sub_table(root, "camera"))
-        scene.camera = read_camera(TomlReader(*camera, root.file(), "[camera]"));
-    scene.ambient = root.not_negative("ambient").value_or(glm::dvec3(0));
+    scene.ambient = root.radiance("ambient").value_or(glm::dvec3(0));
     each_table(root, "light",
                [&](const TomlReader& reader) { scene.lights.push_back(read_light(reader)); });
+    std::set<std::string> names;
     each_table(root, "material", [&](const TomlReader& reader) {
-        scene.materials.push_back(read_material(reader, file.parent_path()));
+        Material material = read_material(reader, file.parent_path());
+        if (!names.insert(material.name).second)
+            throw reader.error(*reader.node("name"),
+                               fmt::format("a [[material]] of the name '{}' is there already; "
+                                           "give each its own",
+                                           material.name));
+        scene.materials.push_back(std::move(material));
     });
     ObjectReader objects(file.parent_path(), settings, scene);
     each_table(root, "object", [&](const TomlReader& reader) { objects.read(reader); });
+    if (const toml::table* camera = sub_table(root, "camera")) {
+        const double aspect = double(settings.width) / double(settings.height);
+        scene.camera = read_camera(TomlReader(*camera, root.file(), "[camera]"),
+                                   framed_camera(scene.bounds(), aspect));
+    }
     return scene;
 }
 

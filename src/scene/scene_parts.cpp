@@ -8,19 +8,23 @@
 #include "scanshade/image/png.hpp"
 #include "scanshade/scene/obj.hpp"
 #include "scanshade/scene/shapes.hpp"
+#include "scene/limits.hpp"
+#include "scene/mesh_parts.hpp"
+#include "scene/up_axis.hpp"
 
 namespace scanshade {
 
-Camera read_camera(const TomlReader& reader) {
+Camera read_camera(const TomlReader& reader, const Camera& framed) {
     reader.allow_only(
         {"position", "focal_point", "view_up", "view_angle", "projection", "near", "far"});
     constexpr std::string_view projections[] = {"perspective", "orthographic"};
-    Camera camera;
-    camera.position = reader.vector("position").value_or(camera.position);
-    camera.focal_point = reader.vector("focal_point").value_or(camera.focal_point);
-    camera.view_up = reader.vector("view_up").value_or(camera.view_up);
+    Camera camera = framed;
+    camera.position = reader.point("position").value_or(camera.position);
+    camera.focal_point = reader.point("focal_point").value_or(camera.focal_point);
+    camera.view_up = reader.point("view_up").value_or(camera.view_up);
     camera.view_angle_deg =
-        reader.real_between("view_angle", 1e-3, 179.9).value_or(camera.view_angle_deg);
+        reader.real_between("view_angle", min_view_angle_deg, max_view_angle_deg)
+            .value_or(camera.view_angle_deg);
     camera.projection =
         static_cast<Projection>(reader.choice("projection", projections).value_or(0));
     camera.near = reader.real_between("near", 1e-30, 1e30);
@@ -43,13 +47,13 @@ Light read_light(const TomlReader& reader) {
             "[[light]] has no type; give type = \"point\", \"directional\", "
             "\"spot\" or \"cosine\"");
     light.kind = static_cast<LightKind>(*kind);
-    light.position = reader.vector("position").value_or(light.position);
-    light.direction = reader.vector("direction").value_or(light.direction);
+    light.position = reader.point("position").value_or(light.position);
+    light.direction = reader.point("direction").value_or(light.direction);
     if (light.direction == glm::dvec3(0))
         throw reader.error(*reader.node("direction"),
                            "the direction of a light must not be 0, 0, 0");
-    light.intensity = reader.not_negative("intensity").value_or(light.intensity);
-    light.attenuation = reader.not_negative("attenuation").value_or(light.attenuation);
+    light.intensity = reader.radiance("intensity").value_or(light.intensity);
+    light.attenuation = reader.radiance("attenuation").value_or(light.attenuation);
     if (light.attenuation == glm::dvec3(0))
         throw reader.error(*reader.node("attenuation"),
                            "attenuation = [c, l, q] must not be all 0; [1, 0, 0] is none");
@@ -108,17 +112,19 @@ glm::dmat4 read_placement(const TomlReader& reader) {
     const glm::dvec3 scale = reader.vector_or_number("scale").value_or(glm::dvec3(1));
     const glm::dvec3 rotate = glm::radians(reader.vector("rotate").value_or(glm::dvec3(0)));
     glm::dmat4 matrix =
-        glm::translate(glm::dmat4(1), reader.vector("translate").value_or(glm::dvec3(0)));
+        glm::translate(glm::dmat4(1), reader.point("translate").value_or(glm::dvec3(0)));
     matrix = glm::rotate(matrix, rotate.z, {0, 0, 1});
     matrix = glm::rotate(matrix, rotate.y, {0, 1, 0});
     matrix = glm::rotate(matrix, rotate.x, {1, 0, 0});
     return glm::scale(matrix, scale);
 }
 
+/// Whether the axes of the object stay apart, however long each becomes.
 bool invertible(const glm::dmat4& matrix) {
-    const glm::dmat3 m(matrix);
-    const double size = std::max({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])});
-    return size > 0 && std::abs(glm::determinant(m / size)) > 1e-12;
+    glm::dmat3 axes;
+    for (int i = 0; i < 3; ++i)
+        axes[i] = safe_normalize(glm::dvec3(matrix[i])).value_or(glm::dvec3(0));
+    return std::abs(glm::determinant(axes)) > 1e-12;
 }
 
 }  // namespace
@@ -136,6 +142,10 @@ const ObjectReader::Source& ObjectReader::file_source(const TomlReader& reader,
         throw here.at(reader.place(*reader.node("mesh")));
     }
     source.mesh = std::make_shared<Mesh>(build_mesh(file.soup, settings_.normals));
+    if (source.mesh->face_count() == 0)
+        throw Error(Errc::format, fmt::format("mesh: {} has no face that can be drawn",
+                                              (folder_ / name).string()))
+            .at(reader.place(*reader.node("mesh")));
     for (Material& material : file.materials) {
         source.materials.push_back(static_cast<std::uint32_t>(scene_.materials.size()));
         scene_.materials.push_back(std::move(material));
@@ -166,9 +176,14 @@ const ObjectReader::Source& ObjectReader::shape_source(const TomlReader& reader,
 }
 
 std::uint32_t ObjectReader::material_index(const TomlReader& reader) const {
+    const std::string name = *reader.text("material");
+    if (const auto found = names_.find(name); found != names_.end())
+        return static_cast<std::uint32_t>(found->second);
     std::vector<std::string_view> names;
-    for (std::size_t i = 0; i < named_materials_; ++i) names.push_back(scene_.materials[i].name);
-    return static_cast<std::uint32_t>(*reader.choice("material", names));
+    for (const auto& [known, number] : names_) names.push_back(known);
+    throw reader.error(*reader.node("material"),
+                       fmt::format("no [[material]] has the name '{}'{}", name,
+                                   names.empty() ? "" : suggestion(name, names)));
 }
 
 void ObjectReader::read(const TomlReader& reader) {
@@ -189,6 +204,10 @@ void ObjectReader::read(const TomlReader& reader) {
     if (const auto shading = reader.choice("shading", shading_names()))
         object.shading = static_cast<Shading>(*shading);
     object.to_world = read_placement(reader);
+    if (mesh) object.to_world *= up_rotation(settings_.up);
+    for (int i = 0; i < 4; ++i)
+        if (!(max_abs(glm::dvec3(object.to_world[i])) <= max_coordinate))
+            throw reader.error("the object's scale or matrix has numbers above 1e100");
     if (!invertible(object.to_world))
         throw reader.error("the object's scale or matrix flattens it; no factor may be 0");
     scene_.objects.push_back(std::move(object));

@@ -12,7 +12,8 @@
 
 namespace scanshade {
 
-Camera read_camera(const TomlReader& reader);
+/// `framed` with what the table says instead.
+Camera read_camera(const TomlReader& reader, const Camera& framed);
 Light read_light(const TomlReader& reader);
 Material read_material(const TomlReader& reader, const std::filesystem::path& folder);
 
@@ -21,10 +22,10 @@ Material read_material(const TomlReader& reader, const std::filesystem::path& fo
 class ObjectReader {
 public:
     ObjectReader(std::filesystem::path folder, const Settings& settings, Scene& scene)
-        : folder_(std::move(folder)),
-          settings_(settings),
-          scene_(scene),
-          named_materials_(scene.materials.size()) {}
+        : folder_(std::move(folder)), settings_(settings), scene_(scene) {
+        for (const Material& material : scene.materials)
+            names_.emplace(material.name, names_.size());
+    }
 
     void read(const TomlReader& reader);
 
@@ -41,7 +42,7 @@ private:
     std::filesystem::path folder_;
     const Settings& settings_;
     Scene& scene_;
-    std::size_t named_materials_;
+    std::map<std::string, std::size_t, std::less<>> names_;  // materials of the scene file
     std::map<std::string, Source> sources_;
 };
 

@@ -16,6 +16,7 @@
 
 #include "scanshade/base/error.hpp"
 #include "scanshade/base/text.hpp"
+#include "scene/limits.hpp"
 
 namespace scanshade {
 
@@ -84,11 +85,21 @@ public:
         return vector(key);
     }
 
+    /// A point or a direction.
+    std::optional<glm::dvec3> point(std::string_view key) const {
+        const auto v = vector(key);
+        if (v && max_abs(*v) > max_coordinate)
+            throw error(*node(key), fmt::format("{} of {} lies outside -{} to {}", key, what_,
+                                                max_coordinate, max_coordinate));
+        return v;
+    }
+
     /// Three numbers or one, none negative.
-    std::optional<glm::dvec3> not_negative(std::string_view key) const {
+    std::optional<glm::dvec3> radiance(std::string_view key) const {
         const auto v = vector_or_number(key);
-        if (v && (v->x < 0 || v->y < 0 || v->z < 0))
-            throw error(*node(key), fmt::format("{} of {} must not be negative", key, what_));
+        if (v && (v->x < 0 || v->y < 0 || v->z < 0 || max_abs(*v) > max_radiance))
+            throw error(*node(key), fmt::format("{} of {} must not be negative or above {}", key,
+                                                what_, max_radiance));
         return v;
     }
 
