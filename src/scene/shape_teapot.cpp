@@ -50,6 +50,7 @@ public:
             curve[r] = blend(along.value, c[0], c[1], c[2], c[3]);
             slope[r] = blend(along.derivative, c[0], c[1], c[2], c[3]);
         }
+        if (is_pole()) curve[0] = control_[0][0];  // blending equal points rounds
         const glm::dvec3 d_across =
             blend(across.derivative, curve[0], curve[1], curve[2], curve[3]);
         // A first row that is one point (lid, bottom) has no derivative along it: the normal is
@@ -72,10 +73,13 @@ private:
 }  // namespace
 
 PolygonSoup make_teapot(int n) {
+    // A patch is half of the handle's or of the spout's tube: with one quad it would be flat.
+    const int steps = 2 * n;
     ShapeBuilder builder("teapot");
     for (const auto& points : teapot_patches) {
         const Patch patch(points);
-        builder.add_grid(n, n, [&](int row, int column) { return patch.at(row, column, n); });
+        builder.add_grid(steps, steps,
+                         [&](int row, int column) { return patch.at(row, column, steps); });
     }
     return builder.take();
 }

@@ -87,10 +87,11 @@ int Child::wait() {
 }
 
 // The server chooses a free number itself and prints it (on standard output) once it is ready;
-// with -fbdir its memory is a file.
+// with -fbdir its memory is a file. Without -noreset it would start afresh whenever xdotool, its
+// only client so far, leaves, and take down a viewer that is just connecting.
 Display::Display()
     : server_({"Xvfb", "-displayfd", "1", "-screen", "0", "800x600x24", "-fbdir", folder_.path,
-               "-nolisten", "tcp", "-nocursor"},
+               "-nolisten", "tcp", "-nocursor", "-noreset"},
               {}, {folder_.path / "number", folder_.path / "err", ""}) {
     const auto deadline = std::chrono::steady_clock::now() + patience;
     while (name_.find('\n') == std::string::npos) {
