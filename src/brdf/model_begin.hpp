@@ -22,7 +22,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "kernels/illuminate.hpp"
+#include "brdf/illuminate.hpp"
 #include "scanshade/num/lanes.hpp"
 
 SCANSHADE_TARGET_BEGIN;

@@ -124,6 +124,10 @@ void describe_triangle(const Frame& frame, std::size_t object, std::uint32_t tri
         out.empty = area == 0;
         positive = area > 0;
         out.inv_area = 1 / static_cast<double>(area);
+        std::sort(std::begin(out.order), std::end(out.order), [&](std::uint8_t a, std::uint8_t b) {
+            const SnappedPoint &p = out.point[a], &q = out.point[b];
+            return p.y != q.y ? p.y < q.y : p.x < q.x;
+        });
     } else {
         const ClipVertex* v[3];
         for (int i = 0; i < 3; ++i) v[i] = &vertices.clip[out.vertex[i]];

@@ -43,6 +43,8 @@ struct DrawnFace {
 
     SnappedPoint point[3];              // triangle
     double inv_area = 0;                // triangle: 1/2A, of either sign
+    std::uint8_t order[3] = {0, 1, 2};  // triangle: corners from the top, the order of sums:
+                                        // coincident triangles have equal depth to the bit
     HomogeneousEdges edges{};           // clipped
     std::vector<PictureCorner> corner;  // polygon
 };

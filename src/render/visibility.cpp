@@ -19,9 +19,11 @@ float depth_at(const DrawnFace& face, const Frame& frame, SnappedPoint p) {
     if (face.carrier == Carrier::triangle) {
         float lambda[3];
         triangle_weights(face, p, lambda);
-        return (lambda[0] * vertices.depth[face.vertex[0]] +
-                lambda[1] * vertices.depth[face.vertex[1]]) +
-               lambda[2] * vertices.depth[face.vertex[2]];
+        const auto term = [&](int i) {
+            const std::uint8_t corner = face.order[i];
+            return lambda[corner] * vertices.depth[face.vertex[corner]];
+        };
+        return (term(0) + term(1)) + term(2);
     }
     if (face.carrier == Carrier::polygon) {
         const Place<float> at = polygon_place<float>(face, p);
@@ -42,9 +44,10 @@ float depth_at(const DrawnFace& face, const Frame& frame, SnappedPoint p) {
     return frame.view.depth({0, 0, static_cast<float>(d), 1});
 }
 
-class VisibilityPass {
+/// One pass over the faces of a frame.
+class CoveragePass {
 public:
-    explicit VisibilityPass(Frame& frame) : frame_(frame) {}
+    CoveragePass(Frame& frame, const CoverageVisitor& visit) : frame_(frame), visit_(visit) {}
 
     void draw_object(std::size_t object) {
         const Mesh& mesh = *frame_.scene.objects[object].mesh;
@@ -70,13 +73,15 @@ private:
     /// Draws face_: coverage from its snapped corners, clipped first where they reach too far.
     void draw() {
         ++frame_.items;
-        if (face_.empty && face_.carrier != Carrier::triangle) return;
+        if (face_.empty) {
+            if (face_.outside == 0) frame_.events.add(Event::zero_area);
+            return;
+        }
         const VertexFrame& vertices = frame_.vertices[face_.object];
         point_.clear();
         if (face_.outside == 0) {
             for (const std::uint32_t v : face_.vertex) point_.push_back(vertices.point[v]);
         } else {
-            if (face_.empty) return;
             clip(vertices);
             if (point_.size() < 3) return;
         }
@@ -87,7 +92,7 @@ private:
         }
         if (face_.back && frame_.plan.cull == Cull::back) return;
         walker_.walk(point_, area > 0, frame_.sample, frame_.view.width, frame_.view.height,
-                     [this](int y, int begin, int end) { draw_span(y, begin, end); });
+                     [this](int y, int begin, int end) { visit_(face_, y, begin, end); });
     }
 
     void clip(const VertexFrame& vertices) {
@@ -99,20 +104,8 @@ private:
         for (const ClipVertex& v : polygon_) point_.push_back(frame_.view.snap(v));
     }
 
-    void draw_span(int y, int begin, int end) {
-        std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.view.width) +
-                         static_cast<std::size_t>(begin);
-        for (int x = begin; x < end; ++x, ++at) {
-            const float z = depth_at(face_, frame_, sample_point(x, y, frame_.sample));
-            const bool nearer =
-                z > frame_.depth[at] || (z == frame_.depth[at] && face_.id < frame_.id[at]);
-            if (!nearer) continue;
-            frame_.depth[at] = z;
-            frame_.id[at] = face_.id;
-        }
-    }
-
     Frame& frame_;
+    const CoverageVisitor& visit_;
     DrawnFace face_;
     PolygonWalker walker_;
     std::vector<SnappedPoint> point_;
@@ -121,13 +114,27 @@ private:
 
 }  // namespace
 
+void visit_coverage(Frame& frame, const CoverageVisitor& visit) {
+    CoveragePass pass(frame, visit);
+    for (std::size_t object = 0; object < frame.scene.objects.size(); ++object)
+        pass.draw_object(object);
+}
+
 void find_visible(Frame& frame) {
     const std::size_t samples = frame.target.depth.size();
     frame.depth.assign(samples, 0.0f);
     frame.id.assign(samples, Framebuffer::no_triangle);
-    VisibilityPass pass(frame);
-    for (std::size_t object = 0; object < frame.scene.objects.size(); ++object)
-        pass.draw_object(object);
+    visit_coverage(frame, [&frame](const DrawnFace& face, int y, int begin, int end) {
+        std::size_t at = frame.target.index(begin, y);
+        for (int x = begin; x < end; ++x, ++at) {
+            const float z = depth_at(face, frame, sample_point(x, y, frame.sample));
+            const bool nearer =
+                z > frame.depth[at] || (z == frame.depth[at] && face.id < frame.id[at]);
+            if (!nearer) continue;
+            frame.depth[at] = z;
+            frame.id[at] = face.id;
+        }
+    });
 }
 
 }  // namespace scanshade

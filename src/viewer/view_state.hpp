@@ -51,7 +51,7 @@ public:
     /// Whether the picture must be drawn again; asking clears the answer.
     bool take_change();
 
-    /// "teapot | flat | blinn-phong | perspective": model, shading, brdf and interpolation.
+    /// "teapot | shading flat | brdf phong | interpolation edges", or whose own choice each is.
     std::string title() const;
 
 private:

@@ -24,8 +24,8 @@ std::vector<bool> brute_force(const std::vector<SnappedPoint>& polygon, bool pos
                 const SnappedPoint a = polygon[i], b = polygon[(i + 1) % polygon.size()];
                 if ((a.y <= p.y) == (b.y <= p.y)) continue;
                 // Left of p or through it: counted.
-                const __int128 cross = __int128(b.x - a.x) * (p.y - a.y) -
-                                       __int128(b.y - a.y) * (p.x - a.x);
+                const __int128 cross =
+                    __int128(b.x - a.x) * (p.y - a.y) - __int128(b.y - a.y) * (p.x - a.x);
                 const bool down = a.y <= p.y;
                 const bool left_or_on = down ? cross <= 0 : cross >= 0;
                 if (left_or_on) winding += down ? -1 : 1;
@@ -77,9 +77,9 @@ TEST_CASE("random polygons cover what exact arithmetic says", "[render][coverage
             polygon.push_back(
                 {static_cast<std::int32_t>(rng.integer(-reach / 8, reach) / grid * grid),
                  static_cast<std::int32_t>(rng.integer(-reach / 8, reach) / grid * grid)});
-        const SampleOffset sample = k % 4 == 0 ? SampleOffset{int(rng.integer(0, 255)),
-                                                              int(rng.integer(0, 255))}
-                                               : SampleOffset{};
+        const SampleOffset sample =
+            k % 4 == 0 ? SampleOffset{int(rng.integer(0, 255)), int(rng.integer(0, 255))}
+                       : SampleOffset{};
         CAPTURE(k);
         require_equal(polygon, sample, side, side);
     }

@@ -1,10 +1,10 @@
 // The light of one material's surface points, for any model and any number type: the same text is
 // the scalar twins in float and double and the vector kernel of every instruction set.
-#if defined(SCANSHADE_KERNELS_ILLUMINATE_HPP) == defined(HWY_TARGET_TOGGLE)
-#ifdef SCANSHADE_KERNELS_ILLUMINATE_HPP
-#undef SCANSHADE_KERNELS_ILLUMINATE_HPP
+#if defined(SCANSHADE_BRDF_ILLUMINATE_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef SCANSHADE_BRDF_ILLUMINATE_HPP
+#undef SCANSHADE_BRDF_ILLUMINATE_HPP
 #else
-#define SCANSHADE_KERNELS_ILLUMINATE_HPP
+#define SCANSHADE_BRDF_ILLUMINATE_HPP
 #endif
 
 #include "scanshade/brdf/brdf.hpp"

@@ -1,0 +1,93 @@
+#include "scanshade/eq/reflection.hpp"
+
+#include <cmath>
+
+#include "support/catch.hpp"
+#include "support/random.hpp"
+
+using namespace scanshade;
+
+namespace {
+
+Vec3<double> upper_direction(Rng& rng) {
+    const double z = rng.real(0.05, 1), phi = rng.real(0, 2 * pi), r = std::sqrt(1 - z * z);
+    return {r * std::cos(phi), r * std::sin(phi), z};
+}
+
+}  // namespace
+
+TEST_CASE("(B6) Lambert's albedo by quadrature is rho_d", "[eq]") {
+    constexpr int n = 400;
+    const Rgb<double> f = lambert_brdf(Rgb<double>{0.2, 0.5, 1.0});
+    Rgb<double> albedo{0, 0, 0};
+    for (int i = 0; i < n; ++i) {
+        const double theta = (i + 0.5) * pi / 2 / n;
+        albedo = albedo + f * (std::cos(theta) * std::sin(theta) * pi / 2 / n * 2 * pi);
+    }
+    CHECK(albedo.r == Approx(0.2).epsilon(1e-5));
+    CHECK(albedo.g == Approx(0.5).epsilon(1e-5));
+    CHECK(albedo.b == Approx(1.0).epsilon(1e-5));
+}
+
+TEST_CASE("(B7) the mirror direction keeps the angle, the plane and the length", "[eq]") {
+    Rng rng(21);
+    for (int k = 0; k < 500; ++k) {
+        const Vec3<double> n = upper_direction(rng), wi = upper_direction(rng);
+        const Vec3<double> wr = mirror_direction(wi, n);
+        CHECK(dot(wr, n) == Approx(dot(wi, n)).margin(1e-14));
+        CHECK(dot(wr, wr) == Approx(1));
+        CHECK(std::abs(dot(cross(wi, n), wr)) < 1e-14);
+        const Vec3<double> again = mirror_direction(wr, n) - wi;
+        CHECK(dot(again, again) < 1e-28);
+    }
+}
+
+TEST_CASE("(B12) the power holds its error bound for every exponent", "[eq]") {
+    Rng rng(22);
+    for (const double s : {0.0, 1.0, 2.0, 3.0, 7.0, 10.0, 40.0, 63.0, 100.0, 1000.0, 65535.0, 1e6,
+                           0.25, 0.5, 2.5, 30.75, 1000.125})
+        for (int k = 0; k < 200; ++k) {
+            const Exponent exponent = make_exponent(s);
+            const float x = float(std::pow(rng.real(0.001, 1), 1 / (s + 1)));
+            const long double exact = std::pow((long double)x, (long double)s);
+            if (exact < 1e-30L) continue;
+            const double bound = power_error_u(exponent) * 0x1p-24 * double(exact);
+            CAPTURE(s, x);
+            CHECK(std::abs(double(pow_shininess(x, exponent) - exact)) <= bound * 1.0001);
+        }
+}
+
+TEST_CASE("(B12) powers at 0, at 1 and of negative cosines are defined", "[eq]") {
+    const Exponent zero = make_exponent(0), half = make_exponent(0.5), ten = make_exponent(10);
+    CHECK(pow_shininess(0.0, zero) == 1);
+    CHECK(pow_shininess(-0.5, zero) == 1);
+    CHECK(pow_shininess(0.0, half) == 0);
+    CHECK(pow_shininess(-0.5, half) == 0);
+    CHECK(pow_shininess(-0.5, ten) == 0);  // an even power would light the wrong side
+    CHECK(pow_shininess(1.0, ten) == 1);
+    CHECK(pow_shininess(1.0f, make_exponent(1e6)) == 1);
+}
+
+TEST_CASE("(B12) diffuse and specular parts add up, channel by channel", "[eq]") {
+    const Rgb<double> k_d = {0.1, 0.2, 0.3}, k_s = {0.5, 0.0, 1.0};
+    const Rgb<double> L = phong_reflection(k_d, k_s, make_exponent(2), 0.5, 0.8);
+    CHECK(L.r == Approx(0.1 * 0.5 + 0.5 * 0.64));
+    CHECK(L.g == Approx(0.1));
+    CHECK(L.b == Approx(0.15 + 0.64));
+    const Rgb<double> flat = phong_reflection(k_d, k_s, make_exponent(0), 0.5, 0.0);
+    CHECK(flat.r == Approx(0.55));  // n = 0: the specular part is constant
+}
+
+TEST_CASE("(B15) the half vector lies in the middle; opposite directions have none", "[eq]") {
+    Rng rng(23);
+    for (int k = 0; k < 500; ++k) {
+        const Vec3<double> wi = upper_direction(rng), wo = upper_direction(rng);
+        const Vec3<double> h = half_vector(wi, wo);
+        CHECK(dot(h, h) == Approx(1));
+        CHECK(dot(h, wi) == Approx(dot(h, wo)));
+        CHECK(std::abs(dot(cross(wi, wo), h)) < 1e-14);
+    }
+    const Vec3<float> w = {0, 0.6f, 0.8f};
+    const Vec3<float> none = half_vector(w, -w);
+    CHECK(dot(none, none) == 0);
+}
