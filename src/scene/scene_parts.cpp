@@ -29,6 +29,8 @@ Camera read_camera(const TomlReader& reader, const Camera& framed) {
         static_cast<Projection>(reader.choice("projection", projections).value_or(0));
     camera.near = reader.real_between("near", 1e-30, 1e30);
     camera.far = reader.real_between("far", 1e-30, 1e30);
+    if (camera.near && camera.far && *camera.near >= *camera.far)
+        throw reader.error(*reader.node("far"), "far must be larger than near");
     try {
         eye_rotation(camera);
     } catch (const Error& e) {
@@ -87,6 +89,9 @@ Material read_material(const TomlReader& reader, const std::filesystem::path& fo
                 values.push_back(reader.number(element, key.str(), "one number or three"));
         else
             values.push_back(reader.number(node, key.str(), "one number or three"));
+        if (values.size() != 1 && values.size() != 3)
+            throw reader.error(node, fmt::format("{} takes one number or three, not {}", key.str(),
+                                                 values.size()));
         material.set(key.str(), std::move(values), reader.place(node));
     }
     return material;
