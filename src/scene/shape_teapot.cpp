@@ -1,4 +1,5 @@
 // The Utah teapot: 32 bicubic Bézier patches.
+#include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
 
@@ -74,7 +75,7 @@ private:
 
 PolygonSoup make_teapot(int n) {
     // A patch is half of the handle's or of the spout's tube: with one quad it would be flat.
-    const int steps = 2 * n;
+    const int steps = std::max(n, 2);
     ShapeBuilder builder("teapot");
     for (const auto& points : teapot_patches) {
         const Patch patch(points);

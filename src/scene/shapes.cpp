@@ -112,7 +112,7 @@ constexpr ShapeInfo shapes[] = {
      make_sphere},
     {"torus", "radii 0.7 and 0.3; n quads a quarter turn of the tube: 4n around it, 8n along it",
      12, 512, make_torus},
-    {"teapot", "Newell's 32 Bezier patches, open at spout and lid; 2n by 2n quads a patch", 5, 256,
+    {"teapot", "32 Bezier patches, open at spout and lid; n by n quads a patch, 1 means 2", 10, 512,
      make_teapot},
     {"cube", "side 2, flat normals; n by n quads a side", 1, 1024, make_cube},
     {"cylinder", "radius 1, height 2, capped; 4n quads around, n up, n from rim to centre", 16,

@@ -60,7 +60,7 @@ TEST_CASE("the teapot's figures are symmetrical from left to right", "[teapot]")
 }
 
 TEST_CASE("the teapot stands on its bottom, with the spout along +x", "[teapot]") {
-    const PolygonSoup soup = teapot(10);
+    const PolygonSoup soup = teapot(20);
     glm::dvec3 low(9), high(-9);
     for (const glm::dvec3& p : soup.positions) {
         low = glm::min(low, p);
@@ -75,7 +75,7 @@ TEST_CASE("the teapot stands on its bottom, with the spout along +x", "[teapot]"
 }
 
 TEST_CASE("the teapot's poles look up and down", "[teapot]") {
-    const PolygonSoup soup = teapot(3);
+    const PolygonSoup soup = teapot(6);
     int top = 0, bottom = 0;
     for (const PolygonSoup::Corner& c : soup.corners) {
         const glm::dvec3& p = soup.positions[c.position];
@@ -89,7 +89,7 @@ TEST_CASE("the teapot's poles look up and down", "[teapot]") {
 }
 
 TEST_CASE("patches of the teapot's body meet with one tangent plane", "[teapot]") {
-    const PolygonSoup soup = teapot(3);
+    const PolygonSoup soup = teapot(6);
     std::map<std::uint32_t, std::vector<glm::dvec3>> normals;
     for (const PolygonSoup::Corner& c : soup.corners)
         normals[c.position].push_back(soup.normals[c.normal]);
@@ -112,8 +112,8 @@ TEST_CASE("finer teapots pass through the points of coarser ones", "[teapot]") {
                           std::llround(p.z * 1e12)};
     };
     std::set<std::array<long long, 3>> fine;
-    for (const glm::dvec3& p : teapot(4).positions) fine.insert(key(p));
-    const PolygonSoup coarse = teapot(2);
+    for (const glm::dvec3& p : teapot(8).positions) fine.insert(key(p));
+    const PolygonSoup coarse = teapot(4);
     CHECK(std::all_of(coarse.positions.begin(), coarse.positions.end(),
                       [&](const glm::dvec3& p) { return fine.count(key(p)) == 1; }));
 }
