@@ -274,28 +274,6 @@ TEST_CASE("a viewer left alone costs no processor time", "[viewer]") {
     CHECK(ticks(session.id()) - before <= ::sysconf(_SC_CLK_TCK) / 50);
 }
 
-TEST_CASE("what cannot be drawn is said, and the last picture stays", "[viewer]") {
-    if (!can_open_windows()) return;
-    // Far enough away, the fitted near plane lies behind the far plane that the scene gives.
-    std::string scene = ball;
-    scene.replace(scene.find("view_angle"), 0, "far = 4\n");
-    Session session(scene, {"--resolution", "200,150"});
-    const Image good = rendered(session.input(), {"--resolution", "200,150"});
-    REQUIRE(session.shows(good));
-
-    REQUIRE(eventually([&] {
-        session.xdotool("click 5");
-        return session.title().find("not drawn") != std::string::npos;
-    }));
-    CHECK(session.messages().find("near and far planes") != std::string::npos);
-    CHECK(eventually([&] { return session.picture().rgb != good.rgb; }));
-
-    session.xdotool("key Return");
-    CHECK(session.shows(good));
-    session.xdotool("key q");
-    CHECK(session.wait() == 0);
-}
-
 TEST_CASE("without a display the viewer says so and names the way out", "[viewer]") {
     const TempFolder folder;
     const std::string scene = folder.write("ball.toml", ball);
