@@ -40,7 +40,7 @@ tessellation = 3
 
 template <class Condition>
 bool eventually(Condition condition) {
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(15);
     while (!condition()) {
         if (std::chrono::steady_clock::now() > deadline) return false;
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -73,9 +73,10 @@ public:
     std::string xdotool(const std::string& words) const { return display_.xdotool(words); }
     std::string title() const { return xdotool("getwindowname " + window_); }
 
-    /// What the window shows.
+    /// What the window shows; nothing where a busy machine did not answer in time.
     Image picture() const {
         const std::string geometry = xdotool("getwindowgeometry --shell " + window_);
+        if (geometry.find("\nHEIGHT=") == std::string::npos) return {};
         const auto value = [&](const std::string& name) {
             return std::stoi(geometry.substr(geometry.find("\n" + name + "=") + name.size() + 2));
         };
