@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "scanshade/eq/shading.hpp"
 #include "scene/mesh_parts.hpp"
 
 namespace scanshade {
@@ -121,8 +122,11 @@ private:
 
     void store(std::uint32_t corner, const Sum& sum) const {
         if (out_.origin[corner] != Origin::summed) return;  // the file's
-        if (glm::length(sum.normals) > cancelled_share * sum.weights)
-            out_.normal[corner] = to_float(*safe_normalize(sum.normals));
+        const Vec3<double> n =
+            vertex_normal(Vec3<double>{sum.normals.x, sum.normals.y, sum.normals.z}, sum.weights,
+                          cancelled_share);
+        if (dot(n, n) > 0)
+            out_.normal[corner] = to_float({n.x, n.y, n.z});
         else
             out_.origin[corner] = Origin::cancelled;
     }

@@ -19,22 +19,18 @@ SCANSHADE_TARGET_BEGIN;
 ///
 ///     N = Σ N_i / ‖Σ N_i‖                                                                (C1)
 ///
-/// in      N        normals of the n faces around the vertex; unit, or times a weight     1
+/// in      sum      Σ N_i over the faces around the vertex, unit or times a weight        1
+///         lengths  Σ ‖N_i‖ of the same                                                  1
+///         cancelled  share of it below which the sum is noise: a few u times the count   1
 /// out     N                                          unit; 0 where they cancel           1
-/// error   ≤ (n + 4) u Σ‖N_i‖/‖ΣN_i‖ a component. Where the sum is so short that no digit of it
-///         is sure, below 4 n u Σ‖N_i‖, the result is 0 and the caller takes the face normal.
-/// checks  cube corner; opposite normals give 0; order changes nothing but the last digits
+/// error   ≤ (n + 4) u lengths/‖sum‖ a component for n faces; where no digit of the direction is
+///         sure the result is 0, and the caller takes the face normal
+/// checks  cube corner; opposite normals give 0, with a rest of rounding too
 ///                                                    tests/eq/shading_test.cpp
 /// source  Gouraud 1971
 template <Real R>
-Vec3<R> vertex_normal(const Vec3<R>* N, std::size_t n, R unit_roundoff) {
-    Vec3<R> sum{R(0), R(0), R(0)};
-    R lengths = R(0);
-    for (std::size_t i = 0; i < n; ++i) {
-        sum = sum + N[i];
-        lengths = lengths + sqrt(dot(N[i], N[i]));
-    }
-    const R noise = R(4) * R(static_cast<double>(n)) * unit_roundoff * lengths;
+Vec3<R> vertex_normal(const Vec3<R>& sum, R lengths, R cancelled) {
+    const R noise = cancelled * lengths;
     const R kept = select(dot(sum, sum) > noise * noise, R(1), R(0));
     return normalise(sum * kept);
 }
