@@ -215,6 +215,12 @@ void ObjectReader::read(const TomlReader& reader) {
             throw reader.error("the object's scale or matrix has numbers above 1e100");
     if (!invertible(object.to_world))
         throw reader.error("the object's scale or matrix flattens it; no factor may be 0");
+    triangles_ += object.mesh->triangle_count();
+    if (triangles_ > max_scene_triangles)
+        throw reader.error(
+            fmt::format("the scene has more than {} triangles by here; use fewer "
+                        "objects or a lower tessellation",
+                        max_scene_triangles));
     scene_.objects.push_back(std::move(object));
 }
 

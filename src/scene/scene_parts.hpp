@@ -44,6 +44,7 @@ private:
     Scene& scene_;
     std::map<std::string, std::size_t, std::less<>> names_;  // materials of the scene file
     std::map<std::string, Source> sources_;
+    std::size_t triangles_ = 0;  // of all objects so far
 };
 
 }  // namespace scanshade

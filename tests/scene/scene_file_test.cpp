@@ -392,3 +392,12 @@ TEST_CASE("a file of very many materials is read in a moment", "[scene_file]") {
     for (int i = 0; i < 20000; ++i) text += fmt::format("[[material]]\nname = \"m{}\"\n", i);
     CHECK(parse(text).materials.size() == 20000);
 }
+
+TEST_CASE("a scene with more triangles than can be drawn is refused while it is read",
+          "[scene_file]") {
+    std::string text;
+    for (int i = 0; i < 1100; ++i) text += "[[object]]\nshape = \"sphere\"\ntessellation = 128\n";
+    const Refusal refused = refusal(text);
+    CHECK(refused.code == Errc::scene);
+    CHECK(refused.sentence.find("more than 268435456 triangles") != std::string::npos);
+}
