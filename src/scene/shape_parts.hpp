@@ -68,4 +68,7 @@ private:
 /// Newell's teapot (shape_teapot.cpp).
 PolygonSoup make_teapot(int n);
 
+/// Hills (shape_terrain.cpp).
+PolygonSoup make_terrain(int n);
+
 }  // namespace scanshade

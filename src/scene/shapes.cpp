@@ -118,6 +118,8 @@ constexpr ShapeInfo shapes[] = {
     {"cylinder", "radius 1, height 2, capped; 4n quads around, n up, n from rim to centre", 16,
      1024, make_cylinder},
     {"plane", "side 2 in y = 0, facing up, not closed; n by n quads", 1, 2048, make_plane},
+    {"terrain", "hills over a square of side 2, always the same, not closed; n by n quads", 128,
+     2048, make_terrain},
 };
 
 }  // namespace
