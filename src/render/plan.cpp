@@ -25,7 +25,6 @@ void plan_objects(const Scene& scene, const Settings& settings, RenderPlan& plan
         plan.vertices += object.mesh->vertex_count();
         plan.face_light |= shading == Shading::flat;
         plan.vertex_light |= shading == Shading::gouraud;
-        plan.pixel_light |= shading == Shading::phong;
     }
     if (plan.triangles >= no_index)
         throw Error(Errc::scene, fmt::format("the scene has {} triangles; at most {} can be drawn",

@@ -5,6 +5,7 @@
 #include "support/catch.hpp"
 #include "support/pictures.hpp"
 #include "support/random.hpp"
+#include "support/winding.hpp"
 
 using namespace scanshade;
 
@@ -32,16 +33,7 @@ std::vector<int> inside_outline(const TestFrame& test, const std::vector<glm::dv
     for (int y = 0; y < test.target.height; ++y)
         for (int x = 0; x < test.target.width; ++x) {
             const SnappedPoint p = {x * 256 + 128, y * 256 + 128};
-            int winding = 0;
-            for (std::size_t i = 0; i < polygon.size(); ++i) {
-                const SnappedPoint a = polygon[i], b = polygon[(i + 1) % polygon.size()];
-                if ((a.y <= p.y) == (b.y <= p.y)) continue;
-                const __int128 cross =
-                    __int128(b.x - a.x) * (p.y - a.y) - __int128(b.y - a.y) * (p.x - a.x);
-                const bool down = a.y <= p.y;
-                if (down ? cross <= 0 : cross >= 0) winding += down ? 1 : -1;
-            }
-            inside[test.target.index(x, y)] = std::abs(winding);
+            inside[test.target.index(x, y)] = std::abs(winding_number(polygon, p));
         }
     return inside;
 }

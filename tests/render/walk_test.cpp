@@ -5,6 +5,7 @@
 
 #include "support/catch.hpp"
 #include "support/random.hpp"
+#include "support/winding.hpp"
 
 using namespace scanshade;
 
@@ -19,17 +20,7 @@ std::vector<bool> brute_force(const std::vector<SnappedPoint>& polygon, bool pos
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const SnappedPoint p = {x * subpixels + sample.x, y * subpixels + sample.y};
-            int winding = 0;
-            for (std::size_t i = 0; i < polygon.size(); ++i) {
-                const SnappedPoint a = polygon[i], b = polygon[(i + 1) % polygon.size()];
-                if ((a.y <= p.y) == (b.y <= p.y)) continue;
-                // Left of p or through it: counted.
-                const __int128 cross =
-                    __int128(b.x - a.x) * (p.y - a.y) - __int128(b.y - a.y) * (p.x - a.x);
-                const bool down = a.y <= p.y;
-                const bool left_or_on = down ? cross <= 0 : cross >= 0;
-                if (left_or_on) winding += down ? -1 : 1;
-            }
+            const int winding = winding_number(polygon, p);
             covered[std::size_t(y * width + x)] = (positive ? winding : -winding) > 0;
         }
     return covered;

@@ -38,7 +38,6 @@ struct RenderPlan {
     std::uint64_t triangles = 0, vertices = 0;
     bool vertex_light = false;    // some object is gouraud
     bool face_light = false;      // some object is flat
-    bool pixel_light = false;     // some object is phong
     bool texture = false;         // some material in use has a texture
     std::size_t light_count = 0;  // 0 where no material in use is lit
 };
