@@ -77,8 +77,8 @@ Arriving<R> arriving(const LightTerm<Scalar<R>>& light, const Vec3<R>& P) {
 /// Directions at one point as the cosines that models read.
 template <Real R>
 Cosines<R> cosines(const Vec3<R>& n, const Vec3<R>& wi, const Vec3<R>& wo) {
-    const R floor_o = R(1e-12);
-    return {dot(n, wi), max(dot(n, wo), floor_o), clamp(dot(n, half_vector(wi, wo)), R(0), R(1)),
+    const R n_i = dot(n, wi), n_o = dot(n, wo);
+    return {n_i, max(n_o, R(1e-12)), cos_half(n_i, n_o, wi, wo),
             clamp(dot(mirror_direction(wi, n), wo), R(0), R(1))};
 }
 

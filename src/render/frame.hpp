@@ -22,15 +22,15 @@ struct LitPoints {
 
 /// What a stage reads and writes.
 struct Frame {
-    Frame(const Scene& normalised_scene, const RenderPlan& render_plan, Framebuffer& into)
-        : scene(normalised_scene), plan(render_plan), target(into) {}
+    Frame(const Scene& normalised_scene, const RenderPlan& render_plan, Framebuffer& into);
 
     const Scene& scene;  // normalised
     const RenderPlan& plan;
-    View view{};
+    View view;
     Lighting<double> lighting, unlit;  // the second: what an unlit material sees
 
-    std::vector<VertexFrame> vertices;  // [object]
+    std::vector<ObjectView> object_views;            // [object]
+    std::vector<std::vector<VertexState>> vertices;  // [object][vertex]; empty: made when asked
 
     // one sample a pixel, for the sample of this pass
     SampleOffset sample;
@@ -40,10 +40,19 @@ struct Frame {
     std::vector<LitPoints<float>> lit_f32;  // [object]
     std::vector<LitPoints<double>> lit_f64;
 
+    VertexState vertex(std::size_t object, std::uint32_t v) const {
+        if (vertices.empty())
+            return transform_vertex(*scene.objects[object].mesh, v, object_views[object], view);
+        return vertices[object][v];
+    }
+
     Framebuffer& target;
     EventCounts events;
     std::uint64_t items = 0;  // what the running stage worked on
 };
+
+/// Fills frame.vertices.
+void transform_vertices(Frame& frame);
 
 /// The object that a triangle of the whole scene belongs to. O(log objects).
 std::size_t object_of(const RenderPlan& plan, std::uint32_t triangle);

@@ -84,9 +84,6 @@ FrameStats Renderer::draw(Framebuffer& target) {
         stats.stages.push_back({stage.name, false, 0, 0, stage.item_name});
     const Timer timer;
     Frame frame(state_->scene, plan, target);
-    frame.view = make_view(plan.camera, plan.depth, plan.width, plan.height);
-    frame.lighting = make_lighting(state_->scene, frame.view);
-    frame.unlit = make_unlit_lighting(frame.view);
     run_stages(frame, stats);
     stats.frame_ms = timer.ms();
     stats.events = frame.events;

@@ -34,11 +34,8 @@ void by_number(Frame& frame, F32 f32, F64 f64) {
 }
 
 void transform(Frame& frame) {
-    frame.vertices.resize(frame.scene.objects.size());
-    for (std::size_t i = 0; i < frame.scene.objects.size(); ++i) {
-        transform_vertices(frame.scene.objects[i], frame.view, frame.vertices[i]);
-        frame.items += frame.vertices[i].clip.size();
-    }
+    transform_vertices(frame);
+    for (const auto& vertices : frame.vertices) frame.items += vertices.size();
 }
 
 template <Shading shading>

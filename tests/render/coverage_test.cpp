@@ -26,8 +26,8 @@ std::vector<int> inside_outline(const TestFrame& test, const std::vector<glm::dv
             const double distance = glm::dot(q - p, q - p);
             if (distance < best_distance) best = v, best_distance = distance;
         }
-        REQUIRE(test.frame.vertices[0].outcode[best] == 0);
-        polygon.push_back(test.frame.vertices[0].point[best]);
+        REQUIRE(test.frame.vertices[0][best].outcode == 0);
+        polygon.push_back(test.frame.vertices[0][best].point);
     }
     std::vector<int> inside(test.target.depth.size());
     for (int y = 0; y < test.target.height; ++y)

@@ -68,10 +68,7 @@ struct TestFrame {
           plan(make_plan(scene, settings)),
           target(settings.width, settings.height),
           frame(scene, plan, target) {
-        frame.view = make_view(plan.camera, plan.depth, plan.width, plan.height);
-        frame.vertices.resize(scene.objects.size());
-        for (std::size_t i = 0; i < scene.objects.size(); ++i)
-            transform_vertices(scene.objects[i], frame.view, frame.vertices[i]);
+        transform_vertices(frame);
     }
 
     /// How many faces cover each sample.
