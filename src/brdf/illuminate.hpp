@@ -82,6 +82,18 @@ Cosines<R> cosines(const Vec3<R>& n, const Vec3<R>& wi, const Vec3<R>& wo) {
             clamp(dot(mirror_direction(wi, n), wo), R(0), R(1))};
 }
 
+/// Samples of the vector at i that are nearer to the light than its radius.
+template <Real R>
+std::uint64_t count_nearer(const SurfaceSpan<Scalar<R>>& span, std::size_t i,
+                           const Arriving<R>& from, const LightTerm<Scalar<R>>& light) {
+    const auto nearer = from.distance < R(light.radius);
+    const auto in_span = RealTraits<R>::iota() < R(static_cast<double>(span.count - i));
+    const auto counted = span.counted == nullptr
+                             ? in_span
+                             : mask_and(in_span, R(0) < RealTraits<R>::load(span.counted + i));
+    return count_true(mask_and(nearer, counted));
+}
+
 template <class Model, Real R>
 SpanEvents illuminate_span(const SurfaceSpan<Scalar<R>>& span, const Lighting<Scalar<R>>& lighting,
                            const MaterialParams<Scalar<R>>& material) {
@@ -99,7 +111,6 @@ SpanEvents illuminate_span(const SurfaceSpan<Scalar<R>>& span, const Lighting<Sc
         const ParamPack<R> params{material, span.albedo[0] != nullptr ? &albedo : nullptr,
                                   diffuse_index<Model>()};
 
-        const auto in_span = RealTraits<R>::iota() < R(static_cast<double>(span.count - i));
         Rgb<R> L =
             ambient_term(uniform_rgb<R>(lighting.ambient), uniform_rgb<R>(material.ka) * albedo) +
             uniform_rgb<R>(material.emission);
@@ -108,8 +119,7 @@ SpanEvents illuminate_span(const SurfaceSpan<Scalar<R>>& span, const Lighting<Sc
             const Cosines<R> c = cosines(n, from.wi, wo);
             const R factor = select(c.n_i > R(0), from.factor, R(0));
             L = L + light_term(factor, uniform_rgb<R>(light.irradiance), Model::f_cos(c, params));
-            events.light_at_surface +=
-                count_true(mask_and(from.distance < R(light.radius), in_span));
+            if (light.touches) events.light_at_surface += count_nearer<R>(span, i, from, light);
         }
         RealTraits<R>::store(L.r, span.radiance[0] + i);
         RealTraits<R>::store(L.g, span.radiance[1] + i);

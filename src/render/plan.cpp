@@ -55,6 +55,10 @@ RenderPlan make_plan(const Scene& scene, const Settings& settings) {
     plan.samples_side = static_cast<int>(std::lround(std::sqrt(settings.samples)));
     plan.interpolation = settings.interpolation;
     plan.renderer = settings.renderer;
+    plan.isa = settings.isa;
+    plan.threads = settings.threads;
+    plan.transfer = settings.transfer;
+    plan.exposure_ev = settings.exposure_ev;
     plan.cull = settings.cull;
     for (int c = 0; c < 3; ++c) plan.background[c] = static_cast<float>(settings.background[c]);
     const Bounds bounds = scene.bounds();

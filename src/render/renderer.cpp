@@ -1,22 +1,31 @@
 #include "scanshade/render/renderer.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstring>
 
+#include "render/engine.hpp"
 #include "render/lighting.hpp"
 #include "render/stages.hpp"
 #include "scanshade/base/timer.hpp"
+#include "scanshade/kernels/isa.hpp"
 
 namespace scanshade {
 
 struct Renderer::State {
     Scene scene;  // normalised
     RenderPlan plan;
+    std::unique_ptr<Engine> engine;  // simd
+    Framebuffer planes;              // of draw(PixelBuffer&), where bytes are not written at once
 };
 
 Renderer::Renderer(const Scene& scene, const Settings& settings)
     : state_(std::make_unique<State>()) {
     state_->scene = normalised(scene);
     state_->plan = make_plan(state_->scene, settings);
+    if (!settings.isa.empty()) use_instruction_set(settings.isa);
+    if (state_->plan.renderer == RendererKind::simd)
+        state_->engine = std::make_unique<Engine>(state_->scene, state_->plan);
 }
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
@@ -72,6 +81,51 @@ void run_stages(Frame& frame, FrameStats& stats) {
 
 }  // namespace
 
+namespace {
+
+std::uint32_t background_bytes(const RenderPlan& plan) {
+    Framebuffer pixel(1, 1);
+    pixel.r[0] = plan.background[0], pixel.g[0] = plan.background[1],
+    pixel.b[0] = plan.background[2];
+    const Image image = encode(pixel, plan.transfer, plan.exposure_ev);
+    std::uint32_t rgba = 0xff000000u;
+    std::memcpy(&rgba, image.rgb.data(), 3);
+    return rgba;
+}
+
+PictureView picture_view(const RenderPlan& plan) {
+    PictureView view{};
+    view.width = plan.width, view.height = plan.height;
+    view.scale = static_cast<float>(std::exp2(plan.exposure_ev));
+    view.srgb = plan.transfer == Transfer::srgb;
+    view.srgb_start = srgb_byte_starts().data();
+    std::copy(plan.background.begin(), plan.background.end(), view.background);
+    view.background_rgba = background_bytes(plan);
+    return view;
+}
+
+/// All samples of all pixels into planes; depth and ids are those of the first sample.
+void draw_samples(Engine& engine, Frame& frame, FrameStats& stats) {
+    Framebuffer& target = frame.target;
+    PictureView view = picture_view(frame.plan);
+    view.r = target.r.data(), view.g = target.g.data(), view.b = target.b.data();
+    const int side = frame.plan.samples_side;
+    for (int j = 0; j < side; ++j)
+        for (int i = 0; i < side; ++i) {
+            frame.sample = grid_sample(i, j, side);
+            const bool first = i == 0 && j == 0;
+            view.depth = first ? target.depth.data() : nullptr;
+            view.id = first ? target.id.data() : nullptr;
+            stats.covered_samples += engine.draw(frame, view, stats);
+        }
+    const float samples = static_cast<float>(side * side);
+    if (side > 1)
+        for (std::vector<float>* channel : {&target.r, &target.g, &target.b})
+            for (float& value : *channel) value /= samples;
+}
+
+}  // namespace
+
 FrameStats Renderer::draw(Framebuffer& target) {
     const RenderPlan& plan = state_->plan;
     if (target.width != plan.width || target.height != plan.height)
@@ -84,16 +138,44 @@ FrameStats Renderer::draw(Framebuffer& target) {
         stats.stages.push_back({stage.name, false, 0, 0, stage.item_name});
     const Timer timer;
     Frame frame(state_->scene, plan, target);
-    run_stages(frame, stats);
+    if (state_->engine)
+        draw_samples(*state_->engine, frame, stats);
+    else
+        run_stages(frame, stats);
+    stats.frame_ms = timer.ms();
+    stats.events = frame.events;
+    return stats;
+}
+
+FrameStats Renderer::draw(PixelBuffer& pixels) {
+    const RenderPlan& plan = state_->plan;
+    if (pixels.width != plan.width || pixels.height != plan.height)
+        pixels = PixelBuffer(plan.width, plan.height);
+    if (!state_->engine || plan.samples_side > 1) {
+        const Timer timer;
+        FrameStats stats = draw(state_->planes);
+        encode(state_->planes, plan.transfer, plan.exposure_ev, pixels);
+        stats.frame_ms = timer.ms();
+        return stats;
+    }
+    FrameStats stats;
+    for (const Stage& stage : all_stages())
+        stats.stages.push_back({stage.name, false, 0, 0, stage.item_name});
+    const Timer timer;
+    Framebuffer none;
+    Frame frame(state_->scene, plan, none);
+    PictureView view = picture_view(plan);
+    view.rgba = pixels.rgba.data();
+    stats.covered_samples = state_->engine->draw(frame, view, stats);
     stats.frame_ms = timer.ms();
     stats.events = frame.events;
     return stats;
 }
 
 Image render_image(const Scene& scene, const Settings& settings) {
-    Framebuffer frame;
-    Renderer(scene, settings).draw(frame);
-    return encode(frame, settings.transfer, settings.exposure_ev);
+    PixelBuffer pixels;
+    Renderer(scene, settings).draw(pixels);
+    return to_image(pixels);
 }
 
 }  // namespace scanshade

@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::string_view shadings[] = {"flat", "gouraud", "phong"};
 constexpr std::string_view interpolations[] = {"perspective", "edges", "patch"};
-constexpr std::string_view renderers[] = {"scalar-f32", "scalar-f64"};
+constexpr std::string_view renderers[] = {"simd", "scalar-f32", "scalar-f64"};
+constexpr std::string_view isas[] = {"auto", "avx3", "avx2", "sse4", "ssse3", "scalar"};
 constexpr std::string_view transfers[] = {"srgb", "linear"};
 constexpr std::string_view projections[] = {"perspective", "orthographic"};
 constexpr std::string_view normal_sources[] = {"file", "average", "area", "angle"};
@@ -86,6 +87,19 @@ void set_samples(Settings& s, std::string_view value) {
     s.samples = side * side;
 }
 
+void set_isa(Settings& s, std::string_view value) {
+    enum class Isa {};
+    const auto number = static_cast<std::size_t>(choice<Isa>("isa", isas, value));
+    s.isa = number == 0 ? "" : isas[number];
+}
+
+void set_threads(Settings& s, std::string_view value) {
+    const auto n = parse_integer(value);
+    if (!n || *n < 0 || *n > 1024)
+        fail("threads", "a number from 1 to 1024, or 0 for all that the machine runs", value);
+    s.threads = static_cast<int>(*n);
+}
+
 void set_parameter(Settings& s, std::string_view value) {
     constexpr std::string_view takes = "NAME=V or NAME=R,G,B, such as shininess=80";
     const std::size_t equals = value.find('=');
@@ -131,10 +145,15 @@ constexpr OptionInfo options[] = {
      [](Settings& s, std::string_view v) {
          s.interpolation = choice<Interpolation>("interpolation", interpolations, v);
      }},
-    {"renderer", "scalar-f32|scalar-f64", "numbers that shading computes with", false, false,
+    {"renderer", "simd|scalar-f32|scalar-f64",
+     "the fast one; or sample by sample in float or double", false, false,
      [](Settings& s, std::string_view v) {
          s.renderer = choice<RendererKind>("renderer", renderers, v);
      }},
+    {"isa", "auto|avx3|avx2|sse4|ssse3|scalar", "instruction set of the simd renderer", false,
+     false, set_isa},
+    {"threads", "N", "threads of the simd renderer; 0: all that the machine runs", false, false,
+     set_threads},
     {"samples", "N", "samples a pixel, a square number from 1 to 1024", false, false, set_samples},
     {"transfer", "srgb|linear", "curve from radiance to bytes", false, false,
      [](Settings& s, std::string_view v) {

@@ -25,6 +25,7 @@ struct SurfaceSpan {
     const T* normal[3];    // towards the viewer's side, any length but 0
     const T* albedo[3];    // factor of the diffuse parameter and of ka; null: 1 everywhere
     T* radiance[3];        // out: L towards the viewer
+    const T* counted;      // 0 at samples that events leave out; null: all count
     std::size_t count;
 };
 
@@ -44,6 +45,7 @@ struct LightTerm {
     T cos_cutoff;      // spot: cos τ
     T inv_penumbra;    // spot: 1/(cos(τ − penumbra) − cos τ); 0: hard edge
     LightEmission emission;
+    bool touches;  // some surface may be nearer than the radius
 };
 
 /// All light that falls on a scene.

@@ -27,6 +27,10 @@ struct RenderPlan {
     int width, height, samples_side;  // samples_side² samples a pixel
     Interpolation interpolation;
     RendererKind renderer;
+    std::string isa;
+    int threads;
+    Transfer transfer;
+    double exposure_ev;
     Cull cull;
     std::array<float, 3> background;
     Camera camera;  // in normalised space
