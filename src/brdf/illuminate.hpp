@@ -27,6 +27,8 @@ struct ParamPack {
     }
     R number(int index) const { return R(material.value[index][0]); }
     const Exponent& exponent(int index) const { return material.exponent[index]; }
+    /// The specular parameter is black, and its term may be left out.
+    bool matt() const { return material.matt; }
 };
 
 /// Index of the parameter with the diffuse role, −1: none.
@@ -65,7 +67,9 @@ Arriving<R> arriving(const LightTerm<Scalar<R>>& light, const Vec3<R>& P) {
     const R distance = sqrt(dot(to_light, to_light));
     const Vec3<R> wi = normalise(to_light);
     const R d = max(distance, R(light.radius));
-    R factor = attenuation(d, light.attenuation[0], light.attenuation[1], light.attenuation[2]);
+    R factor = light.constant ? reciprocal(R(light.attenuation[0]))
+                              : attenuation(d, light.attenuation[0], light.attenuation[1],
+                                            light.attenuation[2]);
     if (light.emission == LightEmission::cosine)
         factor = factor * cosine_light(-wi, uniform_vec3<R>(light.axis));
     if (light.emission == LightEmission::spot)

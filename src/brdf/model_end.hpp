@@ -28,6 +28,12 @@ std::array<T, 3> f_cos(const Cosines<T>& c, const MaterialParams<T>& material) {
     return {f.r, f.g, f.b};
 }
 
+/// A model that reads cosθ_i alone says so.
+template <class Model>
+constexpr bool ignores_view() {
+    return requires { Model::ignores_view; };
+}
+
 }  // namespace
 
 #define SCANSHADE_ROW_(model) brdf_##model
@@ -40,6 +46,7 @@ const BrdfInfo SCANSHADE_ROW(SCANSHADE_MODEL) = {
     .source = HWY_NAMESPACE::SCANSHADE_MODEL::source,
     .params = HWY_NAMESPACE::SCANSHADE_MODEL::params,
     .promises = HWY_NAMESPACE::SCANSHADE_MODEL::promises,
+    .ignores_view = ignores_view<HWY_NAMESPACE::SCANSHADE_MODEL>(),
     .f_cos_f64 = f_cos<double>,
     .f_cos_f32 = f_cos<float>,
     .illuminate_f32 = HWY_NAMESPACE::illuminate_span<HWY_NAMESPACE::SCANSHADE_MODEL, float>,

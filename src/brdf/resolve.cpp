@@ -176,6 +176,7 @@ MaterialParams<float> to_float(const MaterialParams<double>& params) {
     }
     narrow(params.ka, out.ka);
     narrow(params.emission, out.emission);
+    out.matt = params.matt;
     return out;
 }
 

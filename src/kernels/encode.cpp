@@ -134,12 +134,36 @@ std::uint64_t write_here(const PictureView& picture, int x, int y, int subtile,
     return SubtileWriter(picture, x, y, surface).run(subtile);
 }
 
+/// `count` pixels of one colour.
+void fill_pixels(std::uint32_t* to, std::size_t count, std::uint32_t rgba) {
+    const VecI v = hn::Set(tag_i, std::int32_t(rgba));
+    std::size_t i = 0;
+    for (; i + std::size_t(N) <= count; i += std::size_t(N)) hn::StoreU(v, tag_i, as_int(to + i));
+    for (; i < count; ++i) to[i] = rgba;
+}
+
+void background_here(const PictureView& picture, int x, int y, int width, int height) {
+    width = std::min(width, picture.width - x);
+    height = std::min(height, picture.height - y);
+    for (int row = 0; row < height && width > 0; ++row) {
+        const std::size_t from = std::size_t(y + row) * std::size_t(picture.width) + std::size_t(x);
+        if (picture.rgba != nullptr)
+            fill_pixels(picture.rgba + from, std::size_t(width), picture.background_rgba);
+        if (picture.r == nullptr) continue;
+        float* const planes[3] = {picture.r, picture.g, picture.b};
+        for (int c = 0; c < 3; ++c)
+            for (int i = 0; i < width; ++i)
+                planes[c][from + std::size_t(i)] += picture.background[c];
+    }
+}
+
 SCANSHADE_TARGET_END;
 
 #if HWY_ONCE
 namespace scanshade {
 
 HWY_EXPORT(write_here);
+HWY_EXPORT(background_here);
 
 std::uint64_t write_radiance(const PictureView& picture, int x, int y, int subtile,
                              const Surface& surface) {
@@ -147,18 +171,7 @@ std::uint64_t write_radiance(const PictureView& picture, int x, int y, int subti
 }
 
 void write_background(const PictureView& picture, int x, int y, int width, int height) {
-    width = std::min(width, picture.width - x);
-    height = std::min(height, picture.height - y);
-    for (int row = 0; row < height && width > 0; ++row) {
-        const std::size_t from = std::size_t(y + row) * std::size_t(picture.width) + std::size_t(x);
-        if (picture.rgba != nullptr)
-            std::fill_n(picture.rgba + from, width, picture.background_rgba);
-        if (picture.r == nullptr) continue;
-        float* const planes[3] = {picture.r, picture.g, picture.b};
-        for (int c = 0; c < 3; ++c)
-            for (int i = 0; i < width; ++i)
-                planes[c][from + std::size_t(i)] += picture.background[c];
-    }
+    HWY_DYNAMIC_DISPATCH(background_here)(picture, x, y, width, height);
 }
 
 }  // namespace scanshade

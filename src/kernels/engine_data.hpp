@@ -337,7 +337,6 @@ struct SetupWorker {
     std::vector<SpecialTriangle> special;
     std::uint32_t next_batch = 0, last_batch = 0;  // of the run taken from the store
     EventCounts events;
-    std::uint64_t kept = 0;  // triangles in batches
 };
 
 /// The picture as set-up sees it.
@@ -347,9 +346,14 @@ struct SetupView {
     int sample_x, sample_y;  // in 1/256 pixel
     bool orthographic;
     bool affine;  // values travel linearly on the picture: `edges`, and orthographic projection
-    bool clip;    // some vertex may lie outside near, far or the guard band
     bool cull_back;
     Attributes attributes;
+};
+
+/// What set-up stores for one material of a mesh.
+struct SetupMaterial {
+    std::uint32_t material;  // the scene's
+    bool store_normals, store_texcoords;
 };
 
 /// An object as set-up sees it.
@@ -362,12 +366,16 @@ struct SetupObject {
     float to_world[3][4];
     bool mirrored;
     Shading shading;
-    const std::uint32_t* material;  // [the mesh's material] the scene's
+    const SetupMaterial* material;  // [the mesh's material]
 };
 
-/// Transforms, culls and sets up one cluster. `cluster`: its number in the object's mesh.
+/// Batches that a worker takes from the store at once.
+inline constexpr std::uint32_t batch_run = 16;
+
+/// Transforms, culls and sets up one cluster. `cluster`: its number in the object's mesh; clip: some
+/// vertex may lie outside near, far or the guard band.
 void setup_cluster(const SetupView& view, const SetupObject& object, std::uint32_t cluster,
-                   BatchStore& store, SetupWorker& worker);
+                   bool clip, BatchStore& store, SetupWorker& worker);
 
 /// Numbers in a vector of the instruction set in use; at most 16.
 int vector_lanes();

@@ -61,12 +61,14 @@ inline Boxes boxes_of(const Corners& c, const SetupView& view) {
 
 class ClusterSetup {
 public:
-    ClusterSetup(const SetupView& view, const SetupObject& object, std::uint32_t number,
+    ClusterSetup(const SetupView& view, const SetupObject& object, std::uint32_t number, bool clip,
                  BatchStore& store, SetupWorker& worker)
         : view_(view),
           object_(object),
           number_(number),
           cluster_(object.mesh->clusters[number]),
+          material_(object.material[cluster_.material]),
+          clip_(clip),
           store_(store),
           worker_(worker) {}
 
@@ -97,7 +99,7 @@ private:
             hn::Store(snap(cx, cw, view_.width), tag_i, vertices_.x + i);
             hn::Store(snap(cy, cw, view_.height), tag_i, vertices_.y + i);
             hn::Store(depth(cd, cw), tag_f, vertices_.depth + i);
-            if (view_.clip) hn::Store(outcode(cx, cy, cd, cw), tag_i, vertices_.outcode + i);
+            if (clip_) hn::Store(outcode(cx, cy, cd, cw), tag_i, vertices_.outcode + i);
         }
     }
 
@@ -157,7 +159,7 @@ private:
             const Corners c = fetch(hn::LoadU(tag_i, as_int(corners + t)));
             const Boxes box = boxes_of(c, view_);
             MaskI alive = hn::Not(hn::Or(hn::Gt(box.x0, box.x1), hn::Gt(box.y0, box.y1)));
-            if (view_.clip) alive = divert_clipped(c, t, alive);
+            if (clip_) alive = divert_clipped(c, t, alive);
             const MaskI large =
                 hn::And(alive, hn::Gt(box.extent, hn::Set(tag_i, max_small_extent)));
             if (!hn::AllFalse(tag_i, large)) {
@@ -308,7 +310,7 @@ private:
         if (hn::AllFalse(tag_i, kept)) return;
 
         const std::uint32_t number = fresh_batch();
-        store_.info(number) = {object_.index, number_, object_.material[cluster_.material], count};
+        store_.info(number) = {object_.index, number_, material_.material, count};
         batch_ = store_.batch(number);
         const VecI back_x = hn::Sub(ox, box.x0), back_y = hn::Sub(oy, box.y0);
         store_edges(e, back_x, back_y);
@@ -325,10 +327,9 @@ private:
     }
 
     std::uint32_t fresh_batch() {
-        constexpr std::uint32_t run = 16;
         if (worker_.next_batch == worker_.last_batch) {
-            worker_.next_batch = store_.take(run);
-            worker_.last_batch = worker_.next_batch + run;
+            worker_.next_batch = store_.take(batch_run);
+            worker_.last_batch = worker_.next_batch + batch_run;
         }
         return worker_.next_batch++;
     }
@@ -431,13 +432,12 @@ private:
 
     void store_attributes(const Corners& c, const Weights& w) {
         const Attributes& at = view_.attributes;
-        if (at.main >= 0 && object_.shading == Shading::phong) store_normals(c, w);
+        if (at.main >= 0 && material_.store_normals) store_normals(c, w);
         if (at.main >= 0 && object_.shading == Shading::gouraud)
             for (int k = 0; k < 3; ++k)
                 store_plane(at.main + 3 * k, w.of[k].c.v, w.of[k].x.v, w.of[k].y.v);
-        if (at.texcoord >= 0) {
-            const ClusteredMesh& mesh = *object_.mesh;
-            if (mesh.u.empty()) return;
+        const ClusteredMesh& mesh = *object_.mesh;
+        if (at.texcoord >= 0 && material_.store_texcoords) {
             store_values(at.texcoord, &mesh.u[cluster_.first_vertex], c, w);
             store_values(at.texcoord + 3, &mesh.v[cluster_.first_vertex], c, w);
         }
@@ -506,7 +506,6 @@ private:
             const bool one_tile = tx0 == tx1 && ty0 == ty1;
             const bool few_blocks =
                 x1[lane] / 4 - x0[lane] / 4 <= 1 && y1[lane] / 4 - y0[lane] / 4 <= 1;
-            ++worker_.kept;
             if (one_tile && few_blocks)
                 return worker_.small.push(std::size_t(ty0 * view_.tiles_x + tx0), ref);
             for (int ty = ty0; ty <= ty1; ++ty)
@@ -519,6 +518,8 @@ private:
     const SetupObject& object_;
     const std::uint32_t number_;
     const Cluster& cluster_;
+    const SetupMaterial& material_;
+    const bool clip_;
     BatchStore& store_;
     SetupWorker& worker_;
     ClusterVertices vertices_;
@@ -528,9 +529,9 @@ private:
     float* batch_ = nullptr;
 };
 
-void setup_one(const SetupView& view, const SetupObject& object, std::uint32_t cluster,
+void setup_one(const SetupView& view, const SetupObject& object, std::uint32_t cluster, bool clip,
                BatchStore& store, SetupWorker& worker) {
-    ClusterSetup(view, object, cluster, store, worker).run();
+    ClusterSetup(view, object, cluster, clip, store, worker).run();
 }
 
 int lanes_here() { return N; }
@@ -544,8 +545,8 @@ HWY_EXPORT(setup_one);
 HWY_EXPORT(lanes_here);
 
 void setup_cluster(const SetupView& view, const SetupObject& object, std::uint32_t cluster,
-                   BatchStore& store, SetupWorker& worker) {
-    HWY_DYNAMIC_DISPATCH(setup_one)(view, object, cluster, store, worker);
+                   bool clip, BatchStore& store, SetupWorker& worker) {
+    HWY_DYNAMIC_DISPATCH(setup_one)(view, object, cluster, clip, store, worker);
 }
 
 int vector_lanes() { return HWY_DYNAMIC_DISPATCH(lanes_here)(); }

@@ -3,27 +3,36 @@
 
 #include <memory>
 
-#include "kernels/engine_data.hpp"
 #include "render/frame.hpp"
-#include "scanshade/render/renderer.hpp"
 
 namespace scanshade {
 
+/// Keeps clusters, normals and memory from frame to frame. Its stages run in the order of the table,
+/// once for each sample of the pixels; frame.picture says what is written.
 class Engine {
 public:
-    /// Keeps clusters and normals; the scene and the plan stay where they are.
+    /// The scene and the plan stay where they are.
     Engine(const Scene& normalised_scene, const RenderPlan& plan);
     ~Engine();
 
-    /// Draws frame.sample of every pixel into the picture: radiance is added, bytes and ids are
-    /// written. Counts into the frame's events and `stats`, whose stages are those of
-    /// engine_stage_names, and returns how many samples show a surface.
-    std::uint64_t draw(Frame& frame, const PictureView& picture, FrameStats& stats);
+    /// Clusters to batches of triangles and lists a tile.
+    void set_up(Frame& frame);
+    /// What set-up left over to records.
+    void make_records(Frame& frame);
+    /// Visibility of all tiles at once.
+    void raster(Frame& frame);
+    /// Light at the vertices and faces that raster has shown.
+    void light_points(Frame& frame);
+    /// Radiance of every sample; each tile's visibility first, where raster did not run.
+    void shade(Frame& frame);
+    /// Background in tiles that nothing touches.
+    void draw_background(Frame& frame);
 
 private:
     class Pass;
     struct State;
     std::unique_ptr<State> state_;
+    std::unique_ptr<Pass> pass_;  // the sample at hand
 };
 
 }  // namespace scanshade

@@ -197,13 +197,13 @@ void EngineLight::fill(std::uint32_t number) {
     fill_lit(batches_.batch(number), shading_.resolve.attributes, fill);
 }
 
-std::uint64_t EngineLight::light(EventCounts& events) {
+EngineLight::Counts EngineLight::light(EventCounts& events) {
     const int threads = shading_.frame.plan.threads;
     parallel_for(batches_.used(), 256, threads, [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t b = begin; b < end; ++b) mark_batch(std::uint32_t(b));
     });
     std::mutex events_mutex;
-    std::uint64_t count = 0;
+    Counts count;
     for (std::size_t object = 0; object < points_.size(); ++object) {
         if (!concerns(std::uint32_t(object))) continue;
         const bool flat = shading_.objects[object].shading == Shading::flat;
@@ -219,8 +219,9 @@ std::uint64_t EngineLight::light(EventCounts& events) {
             const std::lock_guard lock(events_mutex);
             events += own;
         });
-        count += std::uint64_t(
-            std::count(points_[object].needed.begin(), points_[object].needed.end(), 1));
+        const std::vector<std::uint8_t>& needed = points_[object].needed;
+        count.lit += std::uint64_t(std::count(needed.begin(), needed.end(), 1));
+        count.all += needed.size();
     }
     parallel_for(batches_.used(), 256, threads, [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t b = begin; b < end; ++b) fill(std::uint32_t(b));

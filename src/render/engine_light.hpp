@@ -27,8 +27,11 @@ public:
     void see(const TileBuffer& tile);
     /// Everything in batches is taken as seen.
     void see_all();
-    /// Lights all that was seen; returns how many points.
-    std::uint64_t light(EventCounts& events);
+    /// Lights all that was seen. Points: of them, and of all.
+    struct Counts {
+        std::uint64_t lit = 0, all = 0;
+    };
+    Counts light(EventCounts& events);
 
     bool concerns(std::uint32_t object) const {
         return shading_.objects[object].shading != Shading::phong &&

@@ -4,11 +4,12 @@
 #include <cmath>
 #include <cstring>
 
+#include "render/light_reach.hpp"
+
 namespace scanshade {
 
-TileShading::TileShading(const Frame& f, const PictureView& p)
+TileShading::TileShading(const Frame& f)
     : frame(f),
-      picture(p),
       resolve{},
       lighting(lighting_of<float>(f)),
       surfaces(f.scene.objects.begin(), f.scene.objects.end()) {
@@ -16,6 +17,7 @@ TileShading::TileShading(const Frame& f, const PictureView& p)
         const bool textured = f.scene.materials[m].map_kd != nullptr;
         materials.push_back({textured, !f.plan.materials[m].unlit});
         params.push_back(to_float(f.plan.materials[m].params));
+        params.back().matt = f.plan.leaves_out(PlanRow::specular) && is_matt(f.plan.materials[m]);
     }
     for (std::size_t i = 0; i < f.scene.objects.size(); ++i) {
         const Mesh& mesh = *f.scene.objects[i].mesh;
@@ -27,21 +29,30 @@ TileShading::TileShading(const Frame& f, const PictureView& p)
 }
 
 TileShader::TileShader(const TileShading& shading)
-    : shading_(shading), surface_{}, face_(shading.frame, shading.surfaces, events), mixed_{} {}
+    : shading_(shading),
+      surface_{},
+      face_(shading.frame, shading.surfaces, events),
+      mixed_{},
+      lit_(shading.lighting.lit) {
+    if (shading.frame.plan.leaves_out(PlanRow::specular))
+        saved[std::size_t(PlanRow::specular)] = shading.frame.plan.matt_materials;
+}
 
 std::uint64_t TileShader::shade(int x, int y, const TileBuffer& tile) {
+    choose_lights(x, y, tile);
     std::uint64_t seen = 0;
     for (int s = 0; s < TileBuffer::subtiles; ++s) {
         const int sx = x + (s % 4) * subtile_side, sy = y + (s / 4) * subtile_side;
         if (!tile.written[s]) {
-            write_background(shading_.picture, sx, sy, subtile_side, subtile_side);
+            write_background(shading_.frame.picture, sx, sy, subtile_side, subtile_side);
             continue;
         }
         shade_subtile(x, y, s, tile);
         for (std::size_t i = 0; i < surface_.parts.size(); ++i)
             seen += static_cast<std::uint64_t>(__builtin_popcount(surface_.parts[i].lanes));
     }
-    if (shading_.picture.id != nullptr) write_visibility(x, y, tile);
+    if (shading_.frame.picture.id != nullptr && shading_.frame.first_sample)
+        write_visibility(x, y, tile);
     return seen;
 }
 
@@ -49,8 +60,11 @@ void TileShader::shade_subtile(int x, int y, int subtile, const TileBuffer& tile
     resolve_subtile(shading_.resolve, x, y, subtile, tile, surface_);
     if (!surface_.open.empty()) fill_open(x, y, tile);
     if (shading_.frame.plan.texture) look_up_textures();
+    if (shading_.frame.plan.leaves_out(PlanRow::positions))
+        saved[std::size_t(PlanRow::positions)] +=
+            surface_.vectors * shading_.resolve.raster.batches->lanes();
     illuminate();
-    const std::uint64_t black = write_radiance(shading_.picture, x, y, subtile, surface_);
+    const std::uint64_t black = write_radiance(shading_.frame.picture, x, y, subtile, surface_);
     if (black > 0) events.add(Event::not_finite, black);
 }
 
@@ -141,7 +155,32 @@ void TileShader::look_up_textures() {
     }
 }
 
+/// Spot and cosine lights that shine past everything in the tile add exactly 0 there.
+void TileShader::choose_lights(int x, int y, const TileBuffer& tile) {
+    const RenderPlan& plan = shading_.frame.plan;
+    if (!plan.leaves_out(PlanRow::dark_lights)) return;
+    saved[std::size_t(PlanRow::dark_lights)] += plan.dark_lights;
+    if (plan.narrow_lights == 0) return;
+    const TileSphere sphere = tile_sphere(shading_.resolve, x, y, tile);
+    lit_.lights.clear();
+    for (const LightTerm<float>& light : shading_.lighting.lit.lights)
+        if (light.touches || reaches(light, sphere))
+            lit_.lights.push_back(light);
+        else
+            ++saved[std::size_t(PlanRow::dark_lights)];
+}
+
+const Lighting<float>& TileShader::lighting_for(const ResolvedMaterial& material) const {
+    return material.unlit ? shading_.lighting.unlit : lit_;
+}
+
 void TileShader::illuminate() {
+    const RenderPlan& plan = shading_.frame.plan;
+    if (plan.leaves_out(PlanRow::material_lookup) && surface_.vectors > 0) {
+        ++saved[std::size_t(PlanRow::material_lookup)];
+        float* radiance[3] = {surface_.radiance[0], surface_.radiance[1], surface_.radiance[2]};
+        return illuminate_all(surface_.parts.front().material, radiance);
+    }
     materials_.clear();
     bool lit = false;
     for (const Surface::Part& part : surface_.parts) {
@@ -177,13 +216,13 @@ void TileShader::illuminate_all(std::uint32_t number, float* (&radiance)[3]) {
     }
     span.counted = surface_.counted;
     span.count = surface_.vectors * shading_.resolve.raster.batches->lanes();
-    const SpanEvents seen = material.brdf->illuminate_simd(span, shading_.lighting.of(material),
-                                                           shading_.params[number]);
+    const SpanEvents seen =
+        material.brdf->illuminate_simd(span, lighting_for(material), shading_.params[number]);
     if (seen.light_at_surface > 0) events.add(Event::light_at_surface, seen.light_at_surface);
 }
 
 void TileShader::write_visibility(int x, int y, const TileBuffer& tile) const {
-    const PictureView& picture = shading_.picture;
+    const PictureView& picture = shading_.frame.picture;
     for (int row = 0; row < std::min(tile_side, picture.height - y); ++row)
         for (int column = 0; column < std::min(tile_side, picture.width - x); ++column) {
             const int at = tile_index(column, row);

@@ -12,10 +12,9 @@ namespace scanshade {
 
 /// What all tiles of a frame share.
 struct TileShading {
-    TileShading(const Frame& frame, const PictureView& picture);
+    explicit TileShading(const Frame& frame);
 
     const Frame& frame;
-    const PictureView& picture;
     ResolveView resolve;                        // set by whoever makes the batches
     std::vector<ResolveObject> objects;         // [object]
     std::vector<ResolveMaterial> materials;     // [material]
@@ -33,8 +32,11 @@ public:
     std::uint64_t shade(int x, int y, const TileBuffer& tile);
 
     EventCounts events;
+    PlanSavings saved{};
 
 private:
+    void choose_lights(int x, int y, const TileBuffer& tile);
+    const Lighting<float>& lighting_for(const ResolvedMaterial& material) const;
     void shade_subtile(int x, int y, int subtile, const TileBuffer& tile);
     void fill_open(int x, int y, const TileBuffer& tile);
     void fill_zero_normal(const Surface::Open& open);
@@ -52,6 +54,7 @@ private:
     FaceValues<float> face_;
     alignas(64) float mixed_[3][subtile_samples];  // radiance of one of several materials
     std::vector<std::uint32_t> materials_;         // in the subtile
+    Lighting<float> lit_;                          // without lights that do not reach the tile
 };
 
 }  // namespace scanshade

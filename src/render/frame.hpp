@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "kernels/engine_data.hpp"
 #include "render/transform.hpp"
 #include "scanshade/image/framebuffer.hpp"
 #include "scanshade/kernels/span.hpp"
@@ -20,6 +21,8 @@ struct LitPoints {
     std::vector<T> unreflecting[3];  // [key] with albedo 0; empty where nothing is textured
 };
 
+class Engine;
+
 /// What a stage reads and writes.
 struct Frame {
     Frame(const Scene& normalised_scene, const RenderPlan& render_plan, Framebuffer& into);
@@ -34,6 +37,7 @@ struct Frame {
 
     // one sample a pixel, for the sample of this pass
     SampleOffset sample;
+    bool first_sample = true;
     std::vector<float> depth;       // 0: nothing there
     std::vector<std::uint32_t> id;  // Framebuffer::no_triangle: none
 
@@ -45,6 +49,11 @@ struct Frame {
             return transform_vertex(*scene.objects[object].mesh, v, object_views[object], view);
         return vertices[object][v];
     }
+
+    // the vector renderer's
+    Engine* engine = nullptr;
+    PictureView picture{};
+    PlanSavings saved{};
 
     Framebuffer& target;
     EventCounts events;

@@ -105,6 +105,7 @@ Lighting<float> to_float(const Lighting<double>& lighting) {
         to.cos_cutoff = static_cast<float>(from.cos_cutoff);
         to.inv_penumbra = static_cast<float>(from.inv_penumbra);
         to.emission = from.emission;
+        to.constant = from.constant;
         to.touches = from.touches;
         out.lights.push_back(to);
     }

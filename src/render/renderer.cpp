@@ -42,7 +42,7 @@ SampleOffset grid_sample(int i, int j, int side) {
 }
 
 void run_stage(std::size_t number, Frame& frame, FrameStats& stats) {
-    const Stage& stage = all_stages()[number];
+    const Stage& stage = stages_of(frame.plan.renderer)[number];
     if (!stage.needed(frame.plan)) return;
     StageStats& row = stats.stages[number];
     frame.items = 0;
@@ -53,9 +53,11 @@ void run_stage(std::size_t number, Frame& frame, FrameStats& stats) {
     row.items += frame.items;
 }
 
-/// The stages between `transform` and `average` once for every sample, in rows of samples.
+/// Stages of each sample once for every sample, in rows of samples; the others once, before or after.
 void run_stages(Frame& frame, FrameStats& stats) {
-    const auto stages = all_stages();
+    const auto stages = stages_of(frame.plan.renderer);
+    for (const Stage& stage : stages)
+        stats.stages.push_back({stage.name, false, 0, 0, stage.item_name});
     const auto is_each = [](const Stage& stage) { return stage.each_sample; };
     const auto first = std::find_if(stages.begin(), stages.end(), is_each);
     const auto last = std::find_if_not(first, stages.end(), is_each);
@@ -68,20 +70,15 @@ void run_stages(Frame& frame, FrameStats& stats) {
     for (int j = 0; j < side; ++j)
         for (int i = 0; i < side; ++i) {
             frame.sample = grid_sample(i, j, side);
+            frame.first_sample = i == 0 && j == 0;
             run(first, last);
-            stats.covered_samples += static_cast<std::uint64_t>(
-                std::count_if(frame.id.begin(), frame.id.end(),
-                              [](std::uint32_t id) { return id != Framebuffer::no_triangle; }));
-            if (i > 0 || j > 0) continue;
-            frame.target.depth = frame.depth;
-            frame.target.id = frame.id;
         }
     run(last, stages.end());
+    for (const StageStats& row : stats.stages)
+        if (row.name == "shade") stats.covered_samples = row.items;
+    stats.events = frame.events;
+    stats.saved = frame.saved;
 }
-
-}  // namespace
-
-namespace {
 
 std::uint32_t background_bytes(const RenderPlan& plan) {
     Framebuffer pixel(1, 1);
@@ -104,26 +101,6 @@ PictureView picture_view(const RenderPlan& plan) {
     return view;
 }
 
-/// All samples of all pixels into planes; depth and ids are those of the first sample.
-void draw_samples(Engine& engine, Frame& frame, FrameStats& stats) {
-    Framebuffer& target = frame.target;
-    PictureView view = picture_view(frame.plan);
-    view.r = target.r.data(), view.g = target.g.data(), view.b = target.b.data();
-    const int side = frame.plan.samples_side;
-    for (int j = 0; j < side; ++j)
-        for (int i = 0; i < side; ++i) {
-            frame.sample = grid_sample(i, j, side);
-            const bool first = i == 0 && j == 0;
-            view.depth = first ? target.depth.data() : nullptr;
-            view.id = first ? target.id.data() : nullptr;
-            stats.covered_samples += engine.draw(frame, view, stats);
-        }
-    const float samples = static_cast<float>(side * side);
-    if (side > 1)
-        for (std::vector<float>* channel : {&target.r, &target.g, &target.b})
-            for (float& value : *channel) value /= samples;
-}
-
 }  // namespace
 
 FrameStats Renderer::draw(Framebuffer& target) {
@@ -134,16 +111,17 @@ FrameStats Renderer::draw(Framebuffer& target) {
         std::fill(channel->begin(), channel->end(), 0.0f);
 
     FrameStats stats;
-    for (const Stage& stage : all_stages())
-        stats.stages.push_back({stage.name, false, 0, 0, stage.item_name});
     const Timer timer;
     Frame frame(state_->scene, plan, target);
-    if (state_->engine)
-        draw_samples(*state_->engine, frame, stats);
-    else
-        run_stages(frame, stats);
+    frame.engine = state_->engine.get();
+    frame.picture = picture_view(plan);
+    frame.picture.r = target.r.data();
+    frame.picture.g = target.g.data();
+    frame.picture.b = target.b.data();
+    frame.picture.depth = target.depth.data();
+    frame.picture.id = target.id.data();
+    run_stages(frame, stats);
     stats.frame_ms = timer.ms();
-    stats.events = frame.events;
     return stats;
 }
 
@@ -151,24 +129,20 @@ FrameStats Renderer::draw(PixelBuffer& pixels) {
     const RenderPlan& plan = state_->plan;
     if (pixels.width != plan.width || pixels.height != plan.height)
         pixels = PixelBuffer(plan.width, plan.height);
-    if (!state_->engine || plan.samples_side > 1) {
-        const Timer timer;
-        FrameStats stats = draw(state_->planes);
-        encode(state_->planes, plan.transfer, plan.exposure_ev, pixels);
-        stats.frame_ms = timer.ms();
-        return stats;
-    }
     FrameStats stats;
-    for (const Stage& stage : all_stages())
-        stats.stages.push_back({stage.name, false, 0, 0, stage.item_name});
     const Timer timer;
-    Framebuffer none;
-    Frame frame(state_->scene, plan, none);
-    PictureView view = picture_view(plan);
-    view.rgba = pixels.rgba.data();
-    stats.covered_samples = state_->engine->draw(frame, view, stats);
+    if (state_->engine && plan.samples_side == 1) {
+        Framebuffer none;
+        Frame frame(state_->scene, plan, none);
+        frame.engine = state_->engine.get();
+        frame.picture = picture_view(plan);
+        frame.picture.rgba = pixels.rgba.data();
+        run_stages(frame, stats);
+    } else {
+        stats = draw(state_->planes);
+        encode(state_->planes, plan.transfer, plan.exposure_ev, pixels);
+    }
     stats.frame_ms = timer.ms();
-    stats.events = frame.events;
     return stats;
 }
 

@@ -124,10 +124,8 @@ private:
         out_.x.push_back(mesh_.x[v]);
         out_.y.push_back(mesh_.y[v]);
         out_.z.push_back(mesh_.z[v]);
-        if (mesh_.has_texcoords) {
-            out_.u.push_back(mesh_.u[v]);
-            out_.v.push_back(mesh_.v[v]);
-        }
+        out_.u.push_back(mesh_.u[v]);
+        out_.v.push_back(mesh_.v[v]);
         out_.vertex.push_back(v);
     }
 

@@ -198,6 +198,8 @@ constexpr OptionInfo options[] = {
      }},
     {"cull", "none|back", "leave out faces seen from behind", false, false,
      [](Settings& s, std::string_view v) { s.cull = choice<Cull>("cull", culls, v); }},
+    {"no-plan", "", "leave nothing out that the picture does not need", false, true,
+     [](Settings& s, std::string_view v) { s.no_plan = flag("no-plan", v); }},
     {"mtl-ambient", "", "take k_a from the MTL file instead of from Kd", false, true,
      [](Settings& s, std::string_view v) { s.mtl_ambient = flag("mtl-ambient", v); }},
     {"up", "y|z", "axis that points up in an OBJ file", false, false,

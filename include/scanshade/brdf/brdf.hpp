@@ -61,6 +61,7 @@ struct BrdfInfo {
     std::string_view source;    // author and year
     std::span<const ParamInfo> params;
     Promises promises;
+    bool ignores_view;  // f_cos reads cosθ_i alone
 
     /// f_r cosθ_i in 1/sr a channel, in the number type that the name says.
     std::array<double, 3> (*f_cos_f64)(const Cosines<double>&, const MaterialParams<double>&);

@@ -45,7 +45,8 @@ struct LightTerm {
     T cos_cutoff;      // spot: cos τ
     T inv_penumbra;    // spot: 1/(cos(τ − penumbra) − cos τ); 0: hard edge
     LightEmission emission;
-    bool touches;  // some surface may be nearer than the radius
+    bool constant;  // leave out what attenuation says of the distance: nothing
+    bool touches;   // some surface may be nearer than the radius
 };
 
 /// All light that falls on a scene.
@@ -66,6 +67,7 @@ struct MaterialParams {
     Exponent exponent[max_params];  // of parameters of kind exponent
     T ka[3];                        // factor of the ambient light
     T emission[3];                  // radiance added
+    bool matt;                      // leave out the specular term, which is black
 };
 
 /// What a kernel noticed.

@@ -39,7 +39,7 @@ struct Cluster {
 struct ClusteredMesh {
     std::vector<Cluster> clusters;
     std::vector<float> x, y, z;           // [slot] as in the mesh
-    std::vector<float> u, v;              // [slot]; empty where the mesh has no texture coordinates
+    std::vector<float> u, v;              // [slot]
     std::vector<std::uint32_t> vertex;    // [slot] the mesh's vertex
     std::vector<std::uint32_t> corners;   // [triangle slot] packed as above
     std::vector<std::uint32_t> triangle;  // [triangle slot] the mesh's triangle

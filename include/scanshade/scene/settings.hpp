@@ -54,6 +54,8 @@ struct Settings {
     bool mtl_ambient = false;  // k_a from the MTL file instead of from Kd
     UpAxis up = UpAxis::y;     // of OBJ files
     Cull cull = Cull::none;
+    bool no_plan = false;  // leave nothing out that the picture does not need
+    std::set<std::string, std::less<>> kept_rows;  // rows of the plan that are not left out
 
     std::set<std::string, std::less<>> given;  // names of options given on the command line
     bool is_given(std::string_view name) const { return given.find(name) != given.end(); }
