@@ -21,7 +21,7 @@ namespace scanshade {
 inline constexpr int block_side = 4;  // a block of 4 × 4 samples is one cache line of depths
 inline constexpr int block_samples = block_side * block_side;
 inline constexpr int subtile_side = 16;
-inline constexpr int tile_side = 64;
+inline constexpr int tile_side = 64;  // the largest; see RasterView::tile
 inline constexpr int tile_samples = tile_side * tile_side;
 inline constexpr int tile_blocks = tile_samples / block_samples;
 
@@ -202,8 +202,13 @@ struct RasterView {
     const BatchStore* batches;
     const Record* records;
     int sample_x, sample_y, width, height;
+    int tile;  // side of a tile in samples: 16, 32 or tile_side; a buffer's rows keep their length
     float near, far;
     bool orthographic;
+    /// Whether the tiles of this size have that subtile.
+    bool has_subtile(int subtile) const {
+        return (subtile % 4) * subtile_side < tile && (subtile / 4) * subtile_side < tile;
+    }
 };
 
 /// The triangle's number in the scene.
@@ -342,7 +347,8 @@ struct SetupWorker {
 /// The picture as set-up sees it.
 struct SetupView {
     float near, far, guard_band;
-    int width, height, tiles_x;
+    int width, height;
+    int tile, tiles_x;       // side of a tile in samples, and how many are in a row
     int sample_x, sample_y;  // in 1/256 pixel
     bool orthographic;
     bool affine;  // values travel linearly on the picture: `edges`, and orthographic projection

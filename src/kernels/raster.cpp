@@ -139,7 +139,8 @@ void write_subtile(const RasterView& view, int tile_x, int tile_y, int subtile, 
 }
 
 void write_all(const RasterView& view, int tile_x, int tile_y, TileBuffer& tile) {
-    for (int s = 0; s < TileBuffer::subtiles; ++s) write_subtile(view, tile_x, tile_y, s, tile);
+    for (int s = 0; s < TileBuffer::subtiles; ++s)
+        if (view.has_subtile(s)) write_subtile(view, tile_x, tile_y, s, tile);
 }
 
 void write_owned(const RasterView& view, int tile_x, int tile_y, TileBuffer& tile) {
@@ -180,15 +181,15 @@ HWY_INLINE std::uint32_t touched_blocks(const BatchTriangle& t, float X, float Y
 void draw_medium(const RasterView& view, int x, int y, const std::uint32_t* refs,
                  std::uint32_t count, TileBuffer& tile) {
     write_all(view, x, y, tile);
+    const int blocks = view.tile / block_side;  // in a row of the tile
     for (std::uint32_t i = 0; i < count; ++i) {
         const BatchTriangle t(*view.batches, refs[i]);
         const std::uint32_t extent = t.extent();
         const int dx = t.origin_x - x, dy = t.origin_y - y;  // of the origin in the tile
         const int first_column = std::max(dx / block_side, 0);
-        const int last_column =
-            std::min(dx / block_side + int(extent & 0xffff), tile_block_columns - 1);
+        const int last_column = std::min(dx / block_side + int(extent & 0xffff), blocks - 1);
         const int first_row = std::max(dy / block_side, 0);
-        const int last_row = std::min(dy / block_side + int(extent >> 16), tile_block_columns - 1);
+        const int last_row = std::min(dy / block_side + int(extent >> 16), blocks - 1);
         for (int row = first_row; row <= last_row; ++row)
             for (int column = first_column; column <= last_column; column += N) {
                 const float X = float(column * block_side - dx), Y = float(row * block_side - dy);

@@ -499,10 +499,11 @@ private:
         alignas(64) std::int32_t x0[N], y0[N], x1[N], y1[N];
         hn::Store(box.x0, tag_i, x0), hn::Store(box.y0, tag_i, y0);
         hn::Store(box.x1, tag_i, x1), hn::Store(box.y1, tag_i, y1);
+        const int tile_shift = __builtin_ctz(static_cast<unsigned>(view_.tile));
         for_each_lane(kept, [&](std::uint32_t lane) {
             const std::uint32_t ref = batch * std::uint32_t(N) + lane;
-            const int tx0 = x0[lane] / tile_side, tx1 = x1[lane] / tile_side;
-            const int ty0 = y0[lane] / tile_side, ty1 = y1[lane] / tile_side;
+            const int tx0 = x0[lane] >> tile_shift, tx1 = x1[lane] >> tile_shift;
+            const int ty0 = y0[lane] >> tile_shift, ty1 = y1[lane] >> tile_shift;
             const bool one_tile = tx0 == tx1 && ty0 == ty1;
             const bool few_blocks =
                 x1[lane] / 4 - x0[lane] / 4 <= 1 && y1[lane] / 4 - y0[lane] / 4 <= 1;

@@ -9,7 +9,7 @@
 namespace scanshade {
 namespace {
 
-int tiles_along(int size) { return (size + tile_side - 1) / tile_side; }
+int tiles_along(int size, int tile) { return (size + tile - 1) / tile; }
 
 }  // namespace
 
@@ -45,8 +45,9 @@ Engine::Pass::Pass(State& state, Frame& frame)
       frame_(frame),
       shading_(frame),
       cull_(frame.view),
-      tiles_x_(tiles_along(frame.view.width)),
-      tiles_y_(tiles_along(frame.view.height)),
+      tile_(frame.plan.tile),
+      tiles_x_(tiles_along(frame.view.width, tile_)),
+      tiles_y_(tiles_along(frame.view.height, tile_)),
       light_(shading_, state.scene, state.batches, state.records) {
     make_setup_view();
     make_objects();
@@ -132,8 +133,8 @@ bool Engine::Pass::by_faces(std::size_t object) const {
 void Engine::Pass::add_faces(std::size_t object) {
     parallel_for(frame_.scene.objects[object].mesh->face_count(), 64, frame_.plan.threads,
                  [&](std::size_t begin, std::size_t end, int w) {
-                     RecordMaker maker(frame_, shading_.surfaces, tiles_x_, worker(w).records,
-                                       worker(w).events);
+                     RecordMaker maker(frame_, shading_.surfaces, tile_, tiles_x_,
+                                       worker(w).records, worker(w).events);
                      for (std::size_t face = begin; face < end; ++face)
                          maker.add_face(object, face);
                      worker(w).triangles += end - begin;
@@ -158,7 +159,7 @@ void Engine::Pass::make_records() {
 }
 
 void Engine::Pass::make_records(EngineWorker& worker) {
-    RecordMaker maker(frame_, shading_.surfaces, tiles_x_, worker.records, worker.events);
+    RecordMaker maker(frame_, shading_.surfaces, tile_, tiles_x_, worker.records, worker.events);
     for (const SpecialTriangle& special : worker.setup.special)
         maker.add_triangle(special.object, special.triangle);
 }
@@ -180,8 +181,8 @@ void Engine::Pass::each_tile(Draw&& draw) {
                  [&](std::size_t begin, std::size_t end, int w) {
                      for (std::size_t tile = begin; tile < end; ++tile) {
                          if (left_empty(tile)) continue;
-                         draw(tile, int(tile % std::size_t(tiles_x_)) * tile_side,
-                              int(tile / std::size_t(tiles_x_)) * tile_side, worker(w));
+                         draw(tile, int(tile % std::size_t(tiles_x_)) * tile_,
+                              int(tile / std::size_t(tiles_x_)) * tile_, worker(w));
                      }
                  });
 }
@@ -230,8 +231,8 @@ void Engine::Pass::draw_background() {
                  [&](std::size_t begin, std::size_t end, int) {
                      for (std::size_t tile = begin; tile < end; ++tile)
                          if (left_empty(tile) || frame_.plan.triangles == 0)
-                             write_empty(int(tile % std::size_t(tiles_x_)) * tile_side,
-                                         int(tile / std::size_t(tiles_x_)) * tile_side);
+                             write_empty(int(tile % std::size_t(tiles_x_)) * tile_,
+                                         int(tile / std::size_t(tiles_x_)) * tile_);
                  });
     frame_.items += tiles;
     frame_.saved[std::size_t(PlanRow::empty_tiles)] += tiles;
@@ -239,11 +240,11 @@ void Engine::Pass::draw_background() {
 
 void Engine::Pass::write_empty(int x, int y) const {
     const PictureView& picture = frame_.picture;
-    write_background(picture, x, y, tile_side, tile_side);
+    write_background(picture, x, y, tile_, tile_);
     if (picture.id == nullptr || !frame_.first_sample) return;
-    for (int row = y; row < std::min(y + tile_side, picture.height); ++row) {
+    for (int row = y; row < std::min(y + tile_, picture.height); ++row) {
         const std::size_t from = std::size_t(row) * std::size_t(picture.width) + std::size_t(x);
-        const int columns = std::min(tile_side, picture.width - x);
+        const int columns = std::min(tile_, picture.width - x);
         std::fill_n(picture.depth + from, columns, 0.0f);
         std::fill_n(picture.id + from, columns, Framebuffer::no_triangle);
     }
@@ -290,9 +291,8 @@ void Engine::Pass::cover_rows(std::span<const SnappedPoint> polygon, int x, int 
     std::vector<SnappedPoint> moved(polygon.begin(), polygon.end());
     for (SnappedPoint& p : moved) p = {p.x - x * subpixels, p.y - y * subpixels};
     PolygonWalker walker;
-    walker.walk(moved, twice_area(moved) > 0, frame_.sample,
-                std::min(tile_side, frame_.view.width - x),
-                std::min(tile_side, frame_.view.height - y), [&](int row, int begin, int end) {
+    walker.walk(moved, twice_area(moved) > 0, frame_.sample, std::min(tile_, frame_.view.width - x),
+                std::min(tile_, frame_.view.height - y), [&](int row, int begin, int end) {
                     const std::uint64_t upto_end = end == 64 ? ~0ull : (1ull << end) - 1;
                     rows[row] |= upto_end & ~((1ull << begin) - 1);
                 });

@@ -83,7 +83,7 @@ private:
     Frame& frame_;
     TileShading shading_;
     const ClusterCull cull_;
-    const int tiles_x_, tiles_y_;
+    const int tile_, tiles_x_, tiles_y_;
     SetupView setup_{};
     std::vector<SetupObject> objects_;
     std::vector<std::vector<SetupMaterial>> materials_;  // [object][the mesh's material]

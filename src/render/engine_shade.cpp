@@ -42,6 +42,7 @@ std::uint64_t TileShader::shade(int x, int y, const TileBuffer& tile) {
     choose_lights(x, y, tile);
     std::uint64_t seen = 0;
     for (int s = 0; s < TileBuffer::subtiles; ++s) {
+        if (!shading_.resolve.raster.has_subtile(s)) continue;
         const int sx = x + (s % 4) * subtile_side, sy = y + (s / 4) * subtile_side;
         if (!tile.written[s]) {
             write_background(shading_.frame.picture, sx, sy, subtile_side, subtile_side);
@@ -223,8 +224,9 @@ void TileShader::illuminate_all(std::uint32_t number, float* (&radiance)[3]) {
 
 void TileShader::write_visibility(int x, int y, const TileBuffer& tile) const {
     const PictureView& picture = shading_.frame.picture;
-    for (int row = 0; row < std::min(tile_side, picture.height - y); ++row)
-        for (int column = 0; column < std::min(tile_side, picture.width - x); ++column) {
+    const int side = shading_.resolve.raster.tile;
+    for (int row = 0; row < std::min(side, picture.height - y); ++row)
+        for (int column = 0; column < std::min(side, picture.width - x); ++column) {
             const int at = tile_index(column, row);
             const int subtile = (row / subtile_side) * 4 + column / subtile_side;
             const bool seen = tile.written[subtile] && tile.ref[at] != no_ref;

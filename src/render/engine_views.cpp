@@ -20,7 +20,8 @@ void Engine::Pass::make_setup_view() {
     const View& view = frame_.view;
     const RenderPlan& plan = frame_.plan;
     setup_.near = view.near, setup_.far = view.far, setup_.guard_band = guard_band;
-    setup_.width = view.width, setup_.height = view.height, setup_.tiles_x = tiles_x_;
+    setup_.width = view.width, setup_.height = view.height;
+    setup_.tile = tile_, setup_.tiles_x = tiles_x_;
     setup_.sample_x = frame_.sample.x, setup_.sample_y = frame_.sample.y;
     setup_.orthographic = view.orthographic;
     setup_.affine = view.orthographic || plan.interpolation == Interpolation::edges;
@@ -74,8 +75,9 @@ void Engine::Pass::make_objects() {
 void Engine::Pass::make_resolve_view() {
     ResolveView& resolve = shading_.resolve;
     const View& view = frame_.view;
-    resolve.raster = {&state_.batches, nullptr,   frame_.sample.x, frame_.sample.y,  view.width,
-                      view.height,     view.near, view.far,        view.orthographic};
+    resolve.raster = {&state_.batches, nullptr,          frame_.sample.x, frame_.sample.y,
+                      view.width,      view.height,      tile_,           view.near,
+                      view.far,        view.orthographic};
     resolve.attributes = setup_.attributes;
     resolve.affine = setup_.affine;
     const bool needed = !(leaves_out(PlanRow::positions) && !frame_.plan.position_read);

@@ -38,8 +38,8 @@ TileSphere tile_sphere(const ResolveView& view, int x, int y, const TileBuffer& 
     const Range range = distance_range(view, tile);
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
     for (const double d : {range.nearest, range.farthest})
-        for (const int px : {x - 1, x + tile_side})
-            for (const int py : {y - 1, y + tile_side})
+        for (const int px : {x - 1, x + view.raster.tile})
+            for (const int py : {y - 1, y + view.raster.tile})
                 for (int c = 0; c < 3; ++c) {
                     const double ray = double(view.ray[c]) + px * double(view.ray_x[c]) +
                                        py * double(view.ray_y[c]);

@@ -93,6 +93,7 @@ RenderPlan make_plan(const Scene& scene, const Settings& settings) {
     plan.renderer = settings.renderer;
     plan.isa = settings.isa;
     plan.threads = settings.threads;
+    plan.tile = settings.tile;
     plan.transfer = settings.transfer;
     plan.exposure_ev = settings.exposure_ev;
     plan.cull = settings.cull;

@@ -135,8 +135,8 @@ void RecordMaker::describe_values(Record& r) const {
 void RecordMaker::put_into_tiles(const Record& r) {
     const auto number = static_cast<std::uint32_t>(into_.records.size());
     into_.records.push_back(r);
-    for (int ty = r.y0 / tile_side; ty <= r.y1 / tile_side; ++ty)
-        for (int tx = r.x0 / tile_side; tx <= r.x1 / tile_side; ++tx)
+    for (int ty = r.y0 / tile_; ty <= r.y1 / tile_; ++ty)
+        for (int tx = r.x0 / tile_; tx <= r.x1 / tile_; ++tx)
             into_.lists.push(static_cast<std::size_t>(ty * tiles_x_ + tx), number);
 }
 

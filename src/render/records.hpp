@@ -28,9 +28,15 @@ public:
 /// Turns faces into records.
 class RecordMaker {
 public:
-    RecordMaker(const Frame& frame, const std::vector<ObjectSurface>& surfaces, int tiles_x,
-                RecordList& into, EventCounts& events)
-        : frame_(frame), surfaces_(surfaces), tiles_x_(tiles_x), into_(into), events_(events) {}
+    /// Tiles of `tile` × `tile` samples, tiles_x of them in a row.
+    RecordMaker(const Frame& frame, const std::vector<ObjectSurface>& surfaces, int tile,
+                int tiles_x, RecordList& into, EventCounts& events)
+        : frame_(frame),
+          surfaces_(surfaces),
+          tile_(tile),
+          tiles_x_(tiles_x),
+          into_(into),
+          events_(events) {}
 
     void add_triangle(std::size_t object, std::uint32_t triangle);
     /// A face of an object that `edges` draws whole where it can: polygon or triangles.
@@ -45,7 +51,7 @@ private:
 
     const Frame& frame_;
     const std::vector<ObjectSurface>& surfaces_;
-    const int tiles_x_;
+    const int tile_, tiles_x_;
     RecordList& into_;
     EventCounts& events_;
     DrawnFace face_;

@@ -31,6 +31,7 @@ struct RenderPlan {
     RendererKind renderer;
     std::string isa;
     int threads;
+    int tile;  // side of a tile in samples
     Transfer transfer;
     double exposure_ev;
     Cull cull;

@@ -41,6 +41,7 @@ struct Settings {
     Interpolation interpolation = Interpolation::perspective;
     RendererKind renderer = RendererKind::simd;
     std::string isa;  // instruction set of the kernels; empty: the best of this machine
+    int tile = 64;    // side of the simd renderer's tiles in samples: 16, 32 or 64
     int threads = 0;  // of the simd renderer, 1 to 1024; 0: all that the machine runs
     int samples = 1;  // a square number, 1 to 1024
     Transfer transfer = Transfer::srgb;
