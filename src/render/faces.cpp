@@ -64,8 +64,10 @@ double polygon_area(const std::vector<PictureCorner>& p) {
     return sum;
 }
 
+}  // namespace
+
 /// Cofactors of the matrix whose rows are the corners (x, y, w).
-HomogeneousEdges homogeneous_edges(const ClipVertex* v[3], bool& positive) {
+HomogeneousEdges homogeneous_edges(const ClipVertex* const (&v)[3]) {
     HomogeneousEdges e{};
     double determinant = 0;
     for (int i = 0; i < 3; ++i) {
@@ -77,15 +79,13 @@ HomogeneousEdges homogeneous_edges(const ClipVertex* v[3], bool& positive) {
             determinant =
                 e.a[0] * double(v[0]->x) + e.b[0] * double(v[0]->y) + e.c[0] * double(v[0]->w);
     }
-    positive = determinant > 0;
-    if (!positive)
+    e.positive = determinant > 0;
+    if (!e.positive)
         for (int i = 0; i < 3; ++i) e.a[i] = -e.a[i], e.b[i] = -e.b[i], e.c[i] = -e.c[i];
     // Σ λ_i w_i = |determinant| and Σ λ_i is that over w of the point.
     e.sum_to_inv_w = 1 / std::abs(determinant);
     return e;
 }
-
-}  // namespace
 
 std::size_t object_of(const RenderPlan& plan, std::uint32_t triangle) {
     const auto after = std::upper_bound(
@@ -131,7 +131,8 @@ void describe_triangle(const Frame& frame, std::size_t object, std::uint32_t tri
     } else {
         const ClipVertex* v[3];
         for (int i = 0; i < 3; ++i) v[i] = &vertices.clip[out.vertex[i]];
-        out.edges = homogeneous_edges(v, positive);
+        out.edges = homogeneous_edges(v);
+        positive = out.edges.positive;
         out.empty = !std::isfinite(out.edges.sum_to_inv_w);
     }
     // Counter-clockwise is front; on the picture, y down, that has a negative area.

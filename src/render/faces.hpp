@@ -27,8 +27,10 @@ struct PictureCorner {
 /// 1/w times the same factor. Corners behind the eye do no harm: nothing is divided by their w.
 struct HomogeneousEdges {
     double a[3], b[3], c[3];  // signed so that λ ≥ 0 inside
-    double sum_to_inv_w;      // 1/w = Σλ · this
+    double sum_to_inv_w;      // 1/w = Σλ · this; not finite for a triangle without area
+    bool positive;            // the triangle runs clockwise on the picture (y down)
 };
+HomogeneousEdges homogeneous_edges(const ClipVertex* const (&v)[3]);
 
 /// One drawn polygon: a triangle of the mesh, or in `edges` a whole face. A pure function of the
 /// frame's vertices, so visibility and shading both make it anew and nothing is stored.

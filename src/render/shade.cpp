@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "render/shade_common.hpp"
+#include "render/texture_planes.hpp"
 
 namespace scanshade {
 namespace {
@@ -19,6 +20,7 @@ struct CurrentFace {
     std::uint32_t material = 0;
     Shading shading = Shading::phong;
     const Texture* texture = nullptr;
+    TexturePlanes planes;  // where there is a texture
     bool patch = false;
     PictureCorner quad[4];
     std::vector<std::uint32_t> vertex;                // of the corners below
@@ -57,6 +59,9 @@ private:
         face_.material = material_of(frame_, object, face_.drawn.face);
         face_.shading = frame_.plan.objects[object].shading;
         face_.texture = frame_.scene.materials[face_.material].map_kd.get();
+        if (face_.texture != nullptr)
+            face_.planes =
+                TexturePlanes(frame_, object, id - frame_.plan.objects[object].first_triangle);
         std::uint32_t quad[4];
         face_.patch = patch_corners(frame_, face_.drawn, quad, face_.quad);
         face_.vertex.assign(face_.drawn.vertex.begin(), face_.drawn.vertex.end());
@@ -116,7 +121,9 @@ private:
         std::array<float, 3> albedo{1, 1, 1};
         if (face_.texture != nullptr) {
             const Vec3<T> uv = carry(at, face_.texcoord.data());
-            albedo = face_.texture->bilinear(static_cast<float>(uv.x), static_cast<float>(uv.y));
+            albedo = face_.texture->sample(
+                static_cast<float>(uv.x), static_cast<float>(uv.y),
+                face_.planes.gradient(frame_.view, p, 1.0 / frame_.plan.samples_side));
         }
         if (face_.shading == Shading::phong) return push_phong(at, albedo, to);
         const Rgb<T> lit = flat ? face_.radiance[0] : carry(at, face_.radiance.data());

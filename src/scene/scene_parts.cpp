@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "scanshade/image/png.hpp"
+#include "scanshade/image/texture.hpp"
 #include "scanshade/scene/obj.hpp"
 #include "scanshade/scene/shapes.hpp"
 #include "scene/limits.hpp"

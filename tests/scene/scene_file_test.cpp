@@ -6,6 +6,7 @@
 #include "scanshade/base/error.hpp"
 #include "scanshade/image/image.hpp"
 #include "scanshade/image/png.hpp"
+#include "scanshade/image/texture.hpp"
 #include "scanshade/scene/scene.hpp"
 #include "scanshade/scene/shapes.hpp"
 #include "support/catch.hpp"
@@ -202,7 +203,7 @@ material = "red"
     CHECK(red.find("ks")->values == std::vector<double>{0.25});
     CHECK(red.find("ks")->place == (folder.path / "s.toml").string() + ":5");
     REQUIRE(red.map_kd);
-    CHECK(red.map_kd->width == 2);
+    CHECK(red.map_kd->width() == 2);
     // The second object has the default material.
     const Scene plain = parse(cube);
     CHECK(plain.materials[plain.objects[0].materials[0]].name == "default");
