@@ -263,6 +263,20 @@ TEST_CASE("every shape of the table can be an object", "[scene_file]") {
     }
 }
 
+TEST_CASE("a shape brings its materials; the object's material goes before them", "[scene_file]") {
+    const std::string box = "[[object]]\nshape = \"cornell-box\"\n";
+    const Scene scene =
+        parse("[[material]]\nname = \"red\"\n" + box + box + "material = \"red\"\n");
+    std::vector<std::string> names;
+    for (const std::uint32_t m : scene.objects[0].materials)
+        names.push_back(scene.materials[m].name);
+    CHECK(names == std::vector<std::string>{"cornell-white", "cornell-green", "cornell-red",
+                                            "cornell-lamp"});
+    REQUIRE(scene.objects[1].materials.size() == 4);
+    for (const std::uint32_t m : scene.objects[1].materials)
+        CHECK(scene.materials[m].name == "red");
+}
+
 TEST_CASE("faults in a scene file name the line and what would be right", "[scene_file]") {
     struct Case {
         std::string text;
