@@ -108,6 +108,8 @@ TEST_CASE("jittered grids in 15 rotations, at one depth and at depths from 0.1 t
 
 TEST_CASE("fans and strips leave no gap and cover nothing twice, in either order of vertices",
           "[render][coverage]") {
+    // A tolerance in the weights, or edges that belong to both sides, draw shared edges twice
+    // (zauonlok/renderer; a reference rasterizer of WebGL's tests had it, too).
     using Faces = std::vector<std::vector<std::uint32_t>>;
     const auto require_exact = [](const PixelCamera& camera, const std::vector<glm::dvec3>& points,
                                   Faces faces, const std::vector<glm::dvec3>& outline) {
@@ -280,6 +282,7 @@ TEST_CASE("the order of corners and of faces changes neither coverage nor what i
 }
 
 TEST_CASE("of two faces at the same depth the first in the file is seen", "[render][order]") {
+    // With a depth test that lets equal ones pass, the drawing order decides (zauonlok/renderer).
     const PixelCamera camera(32, 32);
     const std::vector<glm::dvec3> p = {camera.point(4, 4, 2), camera.point(28, 5, 2),
                                        camera.point(16, 28, 2)};
@@ -291,7 +294,7 @@ TEST_CASE("of two faces at the same depth the first in the file is seen", "[rend
 }
 
 TEST_CASE("a mesh of triangles smaller than a pixel loses no sample", "[render][coverage]") {
-    // Dropping triangles of less than a pixel, as some renderers do, empties such a surface.
+    // Dropping triangles of less than a pixel, as tinyrenderer does, empties such a surface.
     const PixelCamera camera(64, 64);
     Rng rng(10);
     const Grid grid(camera, 150, 50, 0.3, false, rng);
