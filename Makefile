@@ -13,7 +13,7 @@ CXXFLAGS_COMMON := -std=c++20 -Wall -Wextra -Wshadow -Wconversion -Wdouble-promo
 CXXFLAGS_release := -O2
 CXXFLAGS_debug   := -O0 -g
 CXXFLAGS_asan    := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all \
-                    -fno-omit-frame-pointer
+                    -fno-omit-frame-pointer -Wno-maybe-uninitialized  # false alarms in Catch
 ifeq ($(CXXFLAGS_$(config)),)
 $(error config=$(config) is unknown; use release, debug or asan)
 endif

@@ -270,6 +270,7 @@ struct ResolveView {
     RasterView raster;
     Attributes attributes;
     bool affine;
+    float sample_spacing;      // pixels from a sample to the next
     bool position_from_depth;  // else it is an attribute
     const ResolveObject* objects;
     const ResolveMaterial* materials;
@@ -299,6 +300,9 @@ struct Surface {
     alignas(64) float radiance[3][subtile_samples];
     alignas(64) float dark[3][subtile_samples];
     alignas(64) float texcoord[2][subtile_samples];
+    alignas(
+        64) float texstep[4][subtile_samples];  // du_dx, dv_dx, du_dy, dv_dy to the next sample;
+                                                // the first not a number: the driver's task
     alignas(64) float albedo[3][subtile_samples];
     alignas(64) float counted[subtile_samples];  // 1: a surface, 0: none
     std::uint16_t tile_at[subtile_samples];      // [vector] of its first sample in the tile

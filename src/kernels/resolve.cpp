@@ -2,6 +2,7 @@
 #define SCANSHADE_SIMD
 
 #include <algorithm>
+#include <limits>
 
 #include "kernels/engine_data.hpp"
 
@@ -136,11 +137,29 @@ private:
                 put(out_.position[c], s.number, hn::Mul(batch.plane(at.position + 3 * c), unscale),
                     mask, all);
         if (shading != Shading::phong) resolve_lit(s, batch, shading, material, unscale, mask, all);
-        if (material.textured)
-            for (int c = 0; c < 2; ++c)
-                put(out_.texcoord[c], s.number, hn::Mul(batch.plane(at.texcoord + 3 * c), unscale),
-                    mask, all);
+        if (material.textured) resolve_texture(s, batch, unscale, mask, all);
     }
+
+    /// u = U/z, and ∂u/∂x = (∂U/∂x − u ∂z/∂x)/z, z as good as any multiple of 1/w.
+    void resolve_texture(const Samples& s, const BatchLookup& batch, VecF unscale, MaskF mask,
+                         bool all) {
+        const VecF spacing = hn::Set(tag_f, view_.sample_spacing);
+        for (int c = 0; c < 2; ++c) {
+            const int row = view_.attributes.texcoord + 3 * c;
+            const VecF u = hn::Mul(batch.plane(row), unscale);
+            put(out_.texcoord[c], s.number, u, mask, all);
+            for (int axis = 0; axis < 2; ++axis) {
+                VecF step = batch.row(row + 1 + axis);
+                if (!view_.affine) step = hn::NegMulAdd(u, batch.row(row_depth + 1 + axis), step);
+                step = hn::Mul(hn::Mul(step, unscale), spacing);
+                // Levels follow the mapping in perspective, which `edges` does not have.
+                if (view_.affine && !view_.raster.orthographic) step = not_a_number();
+                put(out_.texstep[2 * axis + c], s.number, step, mask, all);
+            }
+        }
+    }
+
+    static VecF not_a_number() { return hn::Set(tag_f, std::numeric_limits<float>::quiet_NaN()); }
 
     void resolve_lit(const Samples& s, const BatchLookup& batch, Shading shading,
                      const ResolveMaterial& material, VecF unscale, MaskF mask, bool all) {
@@ -228,6 +247,7 @@ private:
             for (int c = 0; c < 2; ++c)
                 put(out_.texcoord[c], s.number,
                     sum(r.texcoord[0][c], r.texcoord[1][c], r.texcoord[2][c]), mask, all);
+        if (material.textured) put(out_.texstep[0], s.number, not_a_number(), mask, all);
     }
 
     // ---- both

@@ -60,7 +60,7 @@ std::uint64_t TileShader::shade(int x, int y, const TileBuffer& tile) {
 void TileShader::shade_subtile(int x, int y, int subtile, const TileBuffer& tile) {
     resolve_subtile(shading_.resolve, x, y, subtile, tile, surface_);
     if (!surface_.open.empty()) fill_open(x, y, tile);
-    if (shading_.frame.plan.texture) look_up_textures();
+    if (shading_.frame.plan.texture) look_up_textures(x, y, tile);
     if (shading_.frame.plan.leaves_out(PlanRow::positions))
         saved[std::size_t(PlanRow::positions)] +=
             surface_.vectors * shading_.resolve.raster.batches->lanes();
@@ -72,17 +72,30 @@ void TileShader::shade_subtile(int x, int y, int subtile, const TileBuffer& tile
 // ---- samples that the kernels leave open
 
 void TileShader::fill_open(int x, int y, const TileBuffer& tile) {
-    const std::uint32_t lanes = shading_.resolve.raster.batches->lanes();
     for (const Surface::Open& open : surface_.open) {
-        const int at = surface_.tile_at[open.at / lanes] + int(open.at % lanes);
-        const int block = at / block_samples, in_block = at % block_samples;
-        const int px = x + (block % (tile_side / block_side)) * block_side + in_block % block_side;
-        const int py = y + (block / (tile_side / block_side)) * block_side + in_block / block_side;
-        if (face_.begin(ref_id(shading_.resolve.raster, tile.ref[at])) &&
-            face_.shading != Shading::phong)
-            light_corners();
-        fill_values(open, sample_point(px, py, shading_.frame.sample));
+        begin_face(open.at, tile);
+        if (face_.texture != nullptr) surface_.texstep[0][open.at] = NAN;
+        fill_values(open, sample_of(x, y, open.at));
     }
+}
+
+/// The sample of an element of the surface's arrays.
+SnappedPoint TileShader::sample_of(int x, int y, std::uint32_t element) const {
+    const int at = tile_at(element), block = at / block_samples, in_block = at % block_samples;
+    constexpr int columns = tile_side / block_side;
+    return sample_point(x + (block % columns) * block_side + in_block % block_side,
+                        y + (block / columns) * block_side + in_block / block_side,
+                        shading_.frame.sample);
+}
+
+int TileShader::tile_at(std::uint32_t element) const {
+    const std::uint32_t lanes = shading_.resolve.raster.batches->lanes();
+    return surface_.tile_at[element / lanes] + int(element % lanes);
+}
+
+void TileShader::begin_face(std::uint32_t element, const TileBuffer& tile) {
+    const std::uint32_t id = ref_id(shading_.resolve.raster, tile.ref[tile_at(element)]);
+    if (face_.begin(id) && face_.shading != Shading::phong) light_corners();
 }
 
 void TileShader::fill_values(const Surface::Open& open, SnappedPoint p) {
@@ -137,15 +150,21 @@ void TileShader::light_corners() {
 
 // ---- light
 
-void TileShader::look_up_textures() {
+void TileShader::look_up_textures(int x, int y, const TileBuffer& tile) {
     const std::uint32_t lanes = shading_.resolve.raster.batches->lanes();
     for (const Surface::Part& part : surface_.parts) {
         const Texture* texture = shading_.frame.scene.materials[part.material].map_kd.get();
         if (texture == nullptr) continue;
         for (std::uint32_t bits = part.lanes; bits != 0; bits &= bits - 1) {
             const std::uint32_t at = part.vector * lanes + std::uint32_t(__builtin_ctz(bits));
+            const auto& step = surface_.texstep;
+            TextureGradient gradient = {step[0][at], step[1][at], step[2][at], step[3][at]};
+            if (std::isnan(gradient.du_dx)) {
+                begin_face(at, tile);
+                gradient = face_.gradient(sample_of(x, y, at));
+            }
             const std::array<float, 3> albedo =
-                texture->bilinear(surface_.texcoord[0][at], surface_.texcoord[1][at]);
+                texture->sample(surface_.texcoord[0][at], surface_.texcoord[1][at], gradient);
             for (std::size_t c = 0; c < 3; ++c) {
                 surface_.albedo[c][at] = albedo[c];
                 // Reflected light is linear in the albedo, so two lit values give it at any.

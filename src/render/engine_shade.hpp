@@ -43,7 +43,10 @@ private:
     void fill_values(const Surface::Open& open, SnappedPoint p);
     void light_corners();
     Rgb<float> light_point(const Vec3<float>& P, const Vec3<float>& n, float albedo);
-    void look_up_textures();
+    void look_up_textures(int x, int y, const TileBuffer& tile);
+    void begin_face(std::uint32_t element, const TileBuffer& tile);
+    SnappedPoint sample_of(int x, int y, std::uint32_t element) const;
+    int tile_at(std::uint32_t element) const;  // index in the tile
     void blend_lit();
     void illuminate();
     void illuminate_all(std::uint32_t material, float* (&radiance)[3]);

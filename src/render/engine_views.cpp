@@ -80,6 +80,7 @@ void Engine::Pass::make_resolve_view() {
                       view.far,        view.orthographic};
     resolve.attributes = setup_.attributes;
     resolve.affine = setup_.affine;
+    resolve.sample_spacing = 1.0f / static_cast<float>(frame_.plan.samples_side);
     const bool needed = !(leaves_out(PlanRow::positions) && !frame_.plan.position_read);
     resolve.position_from_depth = needed && position_from_depth();
     // Columns right, up, backward of the eye; a pixel is 1/pixels_per_unit wide at distance 1.

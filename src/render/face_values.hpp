@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render/shade_common.hpp"
+#include "render/texture_planes.hpp"
 
 namespace scanshade {
 
@@ -28,6 +29,9 @@ public:
         material = material_of(frame_, object, drawn.face);
         shading = frame_.plan.objects[object].shading;
         texture = frame_.scene.materials[material].map_kd.get();
+        if (texture != nullptr)
+            planes_ =
+                TexturePlanes(frame_, object, id - frame_.plan.objects[object].first_triangle);
         std::uint32_t quad[4];
         patch_ = patch_corners(frame_, drawn, quad, quad_);
         vertex.assign(drawn.vertex.begin(), drawn.vertex.end());
@@ -61,6 +65,10 @@ public:
     }
     Vec3<T> position(const Place<T>& at) const { return carry(at, position_.data()); }
     Vec3<T> texcoord(const Place<T>& at) const { return carry(at, texcoord_.data()); }
+    /// How fast the texture coordinates move from the sample at p to the next.
+    TextureGradient gradient(SnappedPoint p) const {
+        return planes_.gradient(frame_.view, p, 1.0 / frame_.plan.samples_side);
+    }
     Rgb<T> lit(const Place<T>& at) const { return value(at, radiance); }
     Rgb<T> dark(const Place<T>& at) const { return value(at, unreflecting); }
 
@@ -98,6 +106,7 @@ private:
     std::uint32_t id_ = Framebuffer::no_triangle;
     bool patch_ = false;
     PictureCorner quad_[4];
+    TexturePlanes planes_;                               // where there is a texture
     std::vector<Vec3<T>> position_, normal_, texcoord_;  // [corner]
     Vec3<T> face_normal_;
 };

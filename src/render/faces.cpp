@@ -63,27 +63,26 @@ double polygon_area(const std::vector<PictureCorner>& p) {
     return sum;
 }
 
+}  // namespace
+
 /// Cofactors of the matrix whose rows are the corners (x, y, w).
-HomogeneousEdges homogeneous_edges(const std::vector<VertexState>& state, bool& positive) {
+HomogeneousEdges homogeneous_edges(const ClipVertex* const (&v)[3]) {
     HomogeneousEdges e{};
     for (int i = 0; i < 3; ++i) {
-        const ClipVertex &p = state[(i + 1) % 3].clip, &q = state[(i + 2) % 3].clip;
+        const ClipVertex &p = *v[(i + 1) % 3], &q = *v[(i + 2) % 3];
         e.a[i] = double(p.y) * double(q.w) - double(p.w) * double(q.y);
         e.b[i] = double(p.w) * double(q.x) - double(p.x) * double(q.w);
         e.c[i] = double(p.x) * double(q.y) - double(p.y) * double(q.x);
     }
-    const ClipVertex& first = state[0].clip;
     const double determinant =
-        e.a[0] * double(first.x) + e.b[0] * double(first.y) + e.c[0] * double(first.w);
-    positive = determinant > 0;
-    if (!positive)
+        e.a[0] * double(v[0]->x) + e.b[0] * double(v[0]->y) + e.c[0] * double(v[0]->w);
+    e.positive = determinant > 0;
+    if (!e.positive)
         for (int i = 0; i < 3; ++i) e.a[i] = -e.a[i], e.b[i] = -e.b[i], e.c[i] = -e.c[i];
     // Σ λ_i w_i = |determinant| and Σ λ_i is that over w of the point.
     e.sum_to_inv_w = 1 / std::abs(determinant);
     return e;
 }
-
-}  // namespace
 
 bool drawn_whole(const Frame& frame, std::size_t object, std::size_t face) {
     std::vector<PictureCorner> corner;
@@ -158,7 +157,10 @@ void describe_triangle(const Frame& frame, std::size_t object, std::uint32_t tri
     if (out.carrier == Carrier::triangle) {
         positive = measure_triangle(frame, out);
     } else {
-        out.edges = homogeneous_edges(out.state, positive);
+        const ClipVertex* v[3];
+        for (std::size_t i = 0; i < 3; ++i) v[i] = &out.state[i].clip;
+        out.edges = homogeneous_edges(v);
+        positive = out.edges.positive;
         out.empty = !std::isfinite(out.edges.sum_to_inv_w);
     }
     // Counter-clockwise is front; on the picture, y down, that has a negative area.

@@ -28,8 +28,10 @@ struct PictureCorner {
 /// 1/w times the same factor. Corners behind the eye do no harm: nothing is divided by their w.
 struct HomogeneousEdges {
     double a[3], b[3], c[3];  // signed so that λ ≥ 0 inside
-    double sum_to_inv_w;      // 1/w = Σλ · this
+    double sum_to_inv_w;      // 1/w = Σλ · this; not finite for a triangle without area
+    bool positive;            // the triangle runs clockwise on the picture (y down)
 };
+HomogeneousEdges homogeneous_edges(const ClipVertex* const (&v)[3]);
 
 /// Samples of a picture that a box may cover, both ends included; empty where x1 < x0 or y1 < y0.
 struct SampleBox {

@@ -60,7 +60,8 @@ private:
         std::array<float, 3> albedo{1, 1, 1};
         if (face_.texture != nullptr) {
             const Vec3<T> uv = face_.texcoord(at);
-            albedo = face_.texture->bilinear(static_cast<float>(uv.x), static_cast<float>(uv.y));
+            albedo = face_.texture->sample(static_cast<float>(uv.x), static_cast<float>(uv.y),
+                                           face_.gradient(p));
         }
         if (face_.shading == Shading::phong) return push_phong(at, albedo, to);
         const Rgb<T> lit = face_.lit(at);
