@@ -48,6 +48,11 @@ all: $(CLI) $(VIEWER)  ## build both programs into build/$(config)/
 
 $(BUILD)/obj/src/viewer/%.o: ALL_CXXFLAGS += $(SDL_CFLAGS)
 
+# The loops over samples: what inlines and unrolls there pays.
+ifeq ($(config),release)
+$(BUILD)/obj/src/kernels/%.o $(BUILD)/obj/src/brdf/%.o: ALL_CXXFLAGS += -O3
+endif
+
 # Tests of the programs run those that were built beside them.
 $(BUILD)/obj/tests/cli/%.o $(BUILD)/obj/tests/viewer/%.o: ALL_CXXFLAGS += -DSCANSHADE_BINARY='"$(abspath $(CLI))"'
 

@@ -76,7 +76,12 @@ private:
         alignas(64) std::int32_t pixels[N];
         hn::Store(hn::IfThenElse(hn::RebindMask(tag_i, seen), rgba, background), tag_i, pixels);
         for_each_row(at, [&](std::size_t to, int from, int columns) {
-            std::memcpy(picture_.rgba + to, pixels + from, std::size_t(columns) * sizeof *pixels);
+            // A whole row of a block is one store.
+            if (columns == vector_columns)
+                std::memcpy(picture_.rgba + to, pixels + from, vector_columns * sizeof *pixels);
+            else
+                std::memcpy(picture_.rgba + to, pixels + from,
+                            std::size_t(columns) * sizeof *pixels);
         });
     }
 

@@ -351,6 +351,7 @@ struct SetupWorker {
 /// The picture as set-up sees it.
 struct SetupView {
     float near, far, guard_band;
+    float steepest;  // of planes_serve
     int width, height;
     int tile, tiles_x;       // side of a tile in samples, and how many are in a row
     int sample_x, sample_y;  // in 1/256 pixel

@@ -43,19 +43,24 @@ R plane_value(const ScreenPlane<R>& plane, R X, R Y) {
     return plane.c + (plane.x * X + plane.y * Y);
 }
 
-/// Whether planes in float serve a triangle: depth changes little over it and the triangle is no
-/// needle, so that neither the depth plane nor that of an attribute adds large terms that cancel.
-/// Then a plane's value is good to about 20 u of the smallest depth, and to 100 u of the largest
-/// corner for any attribute; otherwise values are Σ λ_i a_i. Every renderer decides by this function.
-/// in      depth          plane of the depth                    1, 1/pixel
-///         nearest_far    smallest depth of the corners, > 0
-///         area2          twice the area, > 0                   (1/256 pixel)²
-///         width, height  from the origin to the last sample    pixel
+/// Whether planes in float serve a triangle: depth changes little over it, and so does the weight of
+/// each corner, so that neither the depth plane nor that of an attribute adds large terms that
+/// cancel. Then a plane's value is good to about 20 u of the smallest depth, and to 3 `steepest` u of
+/// the largest corner for an attribute; otherwise values are Σ λ_i a_i. Every renderer decides by
+/// this function.
+/// in      depth           plane of the depth                   1, 1/pixel
+///         nearest_far     smallest depth of the corners, > 0
+///         area2           twice the area, > 0                  (1/256 pixel)²
+///         width, height   from the origin to the last sample   pixel
+///         side_x, side_y  of the box around the corners        1/256 pixel
+///         steepest        bound of how much a weight changes from the origin to a sample
 template <Real R>
-auto planes_serve(const ScreenPlane<R>& depth, R nearest_far, R area2, R width, R height) {
+auto planes_serve(const ScreenPlane<R>& depth, R nearest_far, R area2, R width, R height, R side_x,
+                  R side_y, R steepest) {
     const R change = abs(depth.x) * width + abs(depth.y) * height;
-    const R box = (width + R(1)) * (height + R(1)) * R(65536);
-    return mask_and(R(4) * nearest_far > change, R(32) * area2 > box);
+    // |∂λ/∂x| ≤ side_y/area2, and a pixel is 256 of the units.
+    const R weights = (side_y * width + side_x * height) * R(256);
+    return mask_and(R(4) * nearest_far > change, steepest * area2 > weights);
 }
 
 SCANSHADE_TARGET_END;

@@ -43,7 +43,7 @@ inline VecI box_last(VecI most, int sample) {
 /// The samples that the triangles' boxes hold, clipped to the picture.
 struct Boxes {
     VecI x0, y0, x1, y1;
-    VecI extent;  // larger side before clipping, 1/256 pixel
+    VecI side_x, side_y;  // before clipping, 1/256 pixel
 };
 
 inline Boxes boxes_of(const Corners& c, const SetupView& view) {
@@ -56,7 +56,7 @@ inline Boxes boxes_of(const Corners& c, const SetupView& view) {
             hn::Max(zero, box_first(ly, view.sample_y)),
             hn::Min(hn::Set(tag_i, view.width - 1), box_last(hx, view.sample_x)),
             hn::Min(hn::Set(tag_i, view.height - 1), box_last(hy, view.sample_y)),
-            hn::Max(hn::Sub(hx, lx), hn::Sub(hy, ly))};
+            hn::Sub(hx, lx), hn::Sub(hy, ly)};
 }
 
 class ClusterSetup {
@@ -161,7 +161,7 @@ private:
             MaskI alive = hn::Not(hn::Or(hn::Gt(box.x0, box.x1), hn::Gt(box.y0, box.y1)));
             if (clip_) alive = divert_clipped(c, t, alive);
             const MaskI large =
-                hn::And(alive, hn::Gt(box.extent, hn::Set(tag_i, max_small_extent)));
+                hn::And(alive, hn::Gt(hn::Max(box.side_x, box.side_y), hn::Set(tag_i, max_small_extent)));
             if (!hn::AllFalse(tag_i, large)) {
                 divert(large, t);
                 alive = hn::AndNot(large, alive);
@@ -297,9 +297,10 @@ private:
         const Lanes nearest_far(hn::Min(z[0], hn::Min(z[1], z[2])));
         const MaskI serve =
             hn::RebindMask(tag_i, planes_serve(depth, nearest_far, Lanes(to_float(area)),
-                                               Lanes(to_float(hn::Sub(box.x1, ox))),
-                                               Lanes(to_float(hn::Sub(box.y1, oy))))
-                                      .m);
+                                Lanes(to_float(hn::Sub(box.x1, ox))),
+                                Lanes(to_float(hn::Sub(box.y1, oy))), Lanes(to_float(box.side_x)),
+                                Lanes(to_float(box.side_y)), Lanes(view_.steepest))
+                       .m);
         const MaskI used = hn::FirstN(tag_i, count);
         const MaskI kept = hn::And(serve, used);
         const MaskI needles = hn::AndNot(serve, used);

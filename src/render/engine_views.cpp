@@ -20,6 +20,7 @@ void Engine::Pass::make_setup_view() {
     const View& view = frame_.view;
     const RenderPlan& plan = frame_.plan;
     setup_.near = view.near, setup_.far = view.far, setup_.guard_band = guard_band;
+    setup_.steepest = steepest_weight(plan);
     setup_.width = view.width, setup_.height = view.height;
     setup_.tile = tile_, setup_.tiles_x = tiles_x_;
     setup_.sample_x = frame_.sample.x, setup_.sample_y = frame_.sample.y;

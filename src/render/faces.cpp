@@ -134,9 +134,12 @@ bool measure_triangle(const Frame& frame, DrawnFace& face) {
     const ScreenPlane<double> plane =
         plane_through(px, py, z, ox * 256.0 + frame.sample.x, oy * 256.0 + frame.sample.y);
     face.depth = {float(plane.c), float(plane.x), float(plane.y)};
+    const auto [left, right] = std::minmax_element(px, px + 3);
+    const auto [top, bottom] = std::minmax_element(py, py + 3);
     face.planar =
         planes_serve(face.depth, float(std::min({z[0], z[1], z[2]})), float(std::abs(area)),
-                     float(face.box.x1 - ox), float(face.box.y1 - oy));
+                     float(face.box.x1 - ox), float(face.box.y1 - oy), float(*right - *left),
+                     float(*bottom - *top), steepest_weight(frame.plan));
     return area > 0;
 }
 

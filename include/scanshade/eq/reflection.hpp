@@ -46,23 +46,23 @@ Vec3<R> mirror_direction(const Vec3<R>& wi, const Vec3<R>& n) {
 ///     xˢ in                                                                              (B12)
 ///
 /// computed as x^⌊s⌋ by squaring, times exp(f·log x) for the fraction f of s, which most materials
-/// do not have. s = 0 gives 1, at x = 0 too; otherwise x ≤ 0 gives 0.
+/// do not have. s = 0 gives 1, at x = 0 too; otherwise x ≤ 0 gives 0, and so does a power below 2^-100.
 /// in      x        cosine                            ≤ 1                 1
 ///         s        exponent                          [0, 4e9]            1
 /// out     xˢ                                         [0, 1]              1
 /// error   x taken as exact: ≤ (s − 1) u relative for a whole s ≥ 1, as each squaring doubles the
 ///         error and adds a rounding; a fraction adds (4 + 10 f |log x|) u for log's 4 ulp and
-///         exp's 1. Results below the smallest normal number lose digits.
+///         exp's 1
 /// checks  against long double to the bound, every s from 0 to 1e6   tests/eq/reflection_test.cpp
 /// source  binary powering, Knuth vol. 2, 4.6.3
 template <Real R>
 R pow_shininess(R x, const Exponent& s) {
-    const auto positive = x > R(0);
+    const auto positive = x > R(s.least);
     R base = select(positive, x, R(0));
     R result = R(1);
     for (std::uint32_t bits = s.whole; bits != 0; bits >>= 1) {
         if (bits & 1) result = result * base;
-        base = base * base;
+        if (bits > 1) base = base * base;
     }
     if (s.fraction > 0) {
         const R log_x = log(select(positive, x, R(1)));

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "scanshade/base/aligned.hpp"
 #include "scanshade/image/image.hpp"
 #include "scanshade/scene/settings.hpp"
 
@@ -29,7 +30,7 @@ struct Framebuffer {
 /// A picture as windows take it: bytes r, g, b, 255 in this order in memory, rows from the top.
 struct PixelBuffer {
     int width = 0, height = 0;
-    std::vector<std::uint32_t> rgba;  // [y·width + x]
+    AlignedVector<std::uint32_t> rgba;  // [y·width + x]
 
     PixelBuffer() = default;
     PixelBuffer(int w, int h) : width(w), height(h), rgba(std::size_t(w) * std::size_t(h)) {}

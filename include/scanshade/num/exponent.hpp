@@ -11,12 +11,16 @@ namespace scanshade {
 struct Exponent {
     std::uint32_t whole = 0;
     double fraction = 0;  // [0, 1)
+    float least = 0;      // what is not above it has a power below 2^-100, and so 0
 };
 
 /// s in [0, 4e9].
 inline Exponent make_exponent(double s) {
     const double whole = std::floor(s);
-    return {static_cast<std::uint32_t>(whole), s - whole};
+    // Without the floor, highlights fade into numbers too small to be normal, at which processors
+    // take a hundred times longer.
+    const double least = s >= 1 ? std::exp2(-100 / s) : 0;
+    return {static_cast<std::uint32_t>(whole), s - whole, static_cast<float>(least)};
 }
 
 /// Relative error of xˢ by pow_shininess, in u of its number type, for x ≥ 2^-20.
