@@ -63,7 +63,8 @@ struct Arriving {
 
 // Inlined whatever their size: between vectors, a call would store and load every register.
 template <Real R>
-[[gnu::always_inline]] inline Arriving<R> arriving(const LightTerm<Scalar<R>>& light, const Vec3<R>& P) {
+[[gnu::always_inline]] inline Arriving<R> arriving(const LightTerm<Scalar<R>>& light,
+                                                   const Vec3<R>& P) {
     const Vec3<R> to_light = uniform_vec3<R>(light.position) - P * R(light.point_scale);
     const R distance = sqrt(dot(to_light, to_light));
     const Vec3<R> wi = normalise(to_light);
@@ -81,7 +82,8 @@ template <Real R>
 
 /// Directions at one point as the cosines that models read.
 template <Real R>
-[[gnu::always_inline]] inline Cosines<R> cosines(const Vec3<R>& n, const Vec3<R>& wi, const Vec3<R>& wo) {
+[[gnu::always_inline]] inline Cosines<R> cosines(const Vec3<R>& n, const Vec3<R>& wi,
+                                                 const Vec3<R>& wo) {
     const R n_i = dot(n, wi), n_o = dot(n, wo);
     return {n_i, max(n_o, R(1e-12)), cos_half(n_i, n_o, wi, wo),
             clamp(dot(mirror_direction(wi, n), wo), R(0), R(1))};

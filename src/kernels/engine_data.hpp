@@ -61,6 +61,8 @@ struct Attributes {
     int rows = row_attributes;  // of a batch
 };
 
+inline constexpr int most_rows = row_attributes + 3 * (3 + 3 + 2 + 3);
+
 /// What all triangles of a batch have in common.
 struct BatchInfo {
     std::uint32_t object, cluster, material;
@@ -173,8 +175,9 @@ struct Record {
     int x0, y0, x1, y1;                            // samples that it may cover, both ends included
     int origin_x, origin_y;                        // of the planes
     std::int64_t edge_x[3], edge_y[3], edge_c[3];  // ⌊(E − bias)/256⌋ at the origin, steps a pixel
-    float plane[3];                                // depth: c, x, y
-    float nearest, farthest;                       // bounds of the depth
+    float weight_plane[3][3];  // plane: c, x, y of each corner's weight, times z in perspective
+    float rows[most_rows];     // plane: what a batch has of one triangle, without edges
+    float nearest, farthest;   // bounds of the depth
     double weight_x[3], weight_y[3], weight_c[3];  // at pixel (0, 0), steps a pixel
     double inv_area;                               // weights: λ = float(weight · inv_area)
     double sum_to_inv_w;                           // clipped: 1/w = Σ weight · this

@@ -139,8 +139,7 @@ void draw_small(const RasterView& view, int x, int y, const std::uint32_t* refs,
     write_all(view, x, y, tile);
     for (std::uint32_t i = 0; i < count; ++i) {
         const BatchTriangle t(*view.batches, refs[i]);
-        const int at =
-            block_at((t.origin_x() - x) / block_side, (t.origin_y() - y) / block_side);
+        const int at = block_at((t.origin_x() - x) / block_side, (t.origin_y() - y) / block_side);
         // All four, without asking: a mispredicted branch costs more than an empty block. What lies
         // beyond the tile's edge is in no triangle of this list.
         t.draw(view, 0, 0, refs[i], at, tile);
@@ -308,22 +307,23 @@ struct DepthBounds {
 };
 DepthBounds depth_bounds(const Record& r, int x, int y, int side) {
     if (r.depth != Record::Depth::plane) return {r.nearest, r.farthest};
-    const ScreenPlane<float> plane = {r.plane[0], r.plane[1], r.plane[2]};
+    const float* depth = r.rows + row_depth;
+    const ScreenPlane<float> plane = {depth[0], depth[1], depth[2]};
     const float X[2] = {float(x - r.origin_x), float(x - r.origin_x + side - 1)};
     const float Y[2] = {float(y - r.origin_y), float(y - r.origin_y + side - 1)};
     const int px = plane.x > 0 ? 1 : 0, py = plane.y > 0 ? 1 : 0;
     return {plane_value(plane, X[px], Y[py]), plane_value(plane, X[1 - px], Y[1 - py])};
 }
 
-void draw_subtile(const RasterView& view, std::uint32_t record, const BlockEdges& edges, int tile_x,
-                  int tile_y, int subtile, TileBuffer& tile) {
+/// `whole`: the triangle covers all of the tile.
+void draw_subtile(const RasterView& view, std::uint32_t record, const BlockEdges& edges, bool whole,
+                  int tile_x, int tile_y, int subtile, TileBuffer& tile) {
     const Record& r = view.records[record];
     const int x = tile_x + (subtile % 4) * subtile_side, y = tile_y + (subtile / 4) * subtile_side;
-    if (x > r.x1 || y > r.y1 || x + subtile_side <= r.x0 || y + subtile_side <= r.y0) return;
-    const Meets meeting = meets(r, edges, x, y, subtile_side);
-    if (meeting == Meets::no) return;
     const DepthBounds bounds = depth_bounds(r, x, y, subtile_side);
     if (bounds.nearest < tile.farthest[subtile]) return;  // hidden by what covers the subtile
+    const Meets meeting = whole ? Meets::fully : meets(r, edges, x, y, subtile_side);
+    if (meeting == Meets::no) return;
     if (meeting == Meets::fully && bounds.farthest > tile.nearest[subtile]) {
         tile.owner[subtile] = record | record_bit;
         tile.written[subtile] = false;
@@ -344,8 +344,16 @@ void draw_subtile(const RasterView& view, std::uint32_t record, const BlockEdges
 }
 
 void draw_record(const RasterView& view, int x, int y, std::uint32_t record, TileBuffer& tile) {
-    const BlockEdges edges(view.records[record]);
-    for (int s = 0; s < TileBuffer::subtiles; ++s) draw_subtile(view, record, edges, x, y, s, tile);
+    const Record& r = view.records[record];
+    // A layer behind all that the tile shows ends here.
+    const float farthest = *std::min_element(tile.farthest, tile.farthest + TileBuffer::subtiles);
+    if (depth_bounds(r, x, y, view.tile).nearest < farthest) return;
+    const BlockEdges edges(r);
+    const Meets meeting = meets(r, edges, x, y, view.tile);
+    if (meeting == Meets::no) return;
+    for (int s = 0; s < TileBuffer::subtiles; ++s)
+        if (view.has_subtile(s))
+            draw_subtile(view, record, edges, meeting == Meets::fully, x, y, s, tile);
 }
 
 void draw_rows(const RasterView& view, int x, int y, std::uint32_t record,

@@ -94,7 +94,8 @@ inline VecF clipped_depth(const RasterView& view, const Record& r, const Positio
 /// Depth, with the bits of the scalar renderers.
 inline VecF record_depth(const RasterView& view, const Record& r, const Positions& at) {
     if (r.depth == Record::Depth::plane) {
-        const ScreenPlane<Lanes> plane = {Lanes(r.plane[0]), Lanes(r.plane[1]), Lanes(r.plane[2])};
+        const float* depth = r.rows + row_depth;
+        const ScreenPlane<Lanes> plane = {Lanes(depth[0]), Lanes(depth[1]), Lanes(depth[2])};
         return plane_value(plane, Lanes(to_float(hn::Sub(at.x, hn::Set(tag_i, r.origin_x)))),
                            Lanes(to_float(hn::Sub(at.y, hn::Set(tag_i, r.origin_y)))))
             .v;

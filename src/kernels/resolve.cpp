@@ -94,10 +94,28 @@ private:
         }
         const BatchLookup batch(view_.raster.batches->batch(number), ref, s);
         const bool all = lanes == pending && pending == full;
-        resolve_values(s, batch, info, hn::RebindMask(tag_f, mask), all);
+        resolve_values(s, batch, view_.objects[info.object].shading, view_.materials[info.material],
+                       hn::RebindMask(tag_f, mask), all);
         add_part(s.number, lanes, info.material, view_.objects[info.object].shading);
         return lanes;
     }
+
+    /// Rows of a record's planes: the same at every sample.
+    class RecordLookup {
+    public:
+        RecordLookup(const Record& record, const Samples& s) : rows_(record.rows) {
+            x_ = hn::Sub(s.x, row(row_origin_x));
+            y_ = hn::Sub(s.y, row(row_origin_y));
+        }
+        VecF row(int r) const { return hn::Set(tag_f, rows_[r]); }
+        VecF plane(int r) const {
+            return hn::MulAdd(row(r + 1), x_, hn::MulAdd(row(r + 2), y_, row(r)));
+        }
+
+    private:
+        const float* rows_;
+        VecF x_, y_;
+    };
 
     /// Rows of a batch at the triangles of the samples.
     class BatchLookup {
@@ -120,11 +138,10 @@ private:
         VecF x_, y_;
     };
 
-    void resolve_values(const Samples& s, const BatchLookup& batch, const BatchInfo& info,
-                        MaskF mask, bool all) {
+    template <class Lookup>
+    void resolve_values(const Samples& s, const Lookup& batch, Shading shading,
+                        const ResolveMaterial& material, MaskF mask, bool all) {
         const Attributes& at = view_.attributes;
-        const Shading shading = view_.objects[info.object].shading;
-        const ResolveMaterial& material = view_.materials[info.material];
         const VecF unscale = view_.affine ? hn::Set(tag_f, 1.0f) : s.inv_z;
         if (shading == Shading::phong && material.reads_normal) {
             VecF n[3];
@@ -141,7 +158,8 @@ private:
     }
 
     /// u = U/z, and ∂u/∂x = (∂U/∂x − u ∂z/∂x)/z, z as good as any multiple of 1/w.
-    void resolve_texture(const Samples& s, const BatchLookup& batch, VecF unscale, MaskF mask,
+    template <class Lookup>
+    void resolve_texture(const Samples& s, const Lookup& batch, VecF unscale, MaskF mask,
                          bool all) {
         const VecF spacing = hn::Set(tag_f, view_.sample_spacing);
         for (int c = 0; c < 2; ++c) {
@@ -161,7 +179,8 @@ private:
 
     static VecF not_a_number() { return hn::Set(tag_f, std::numeric_limits<float>::quiet_NaN()); }
 
-    void resolve_lit(const Samples& s, const BatchLookup& batch, Shading shading,
+    template <class Lookup>
+    void resolve_lit(const Samples& s, const Lookup& batch, Shading shading,
                      const ResolveMaterial& material, VecF unscale, MaskF mask, bool all) {
         const Attributes& at = view_.attributes;
         const auto value = [&](int row) HWY_ATTR {
@@ -184,10 +203,15 @@ private:
             leave_open(s, lanes, r.material, shading);
             return lanes;
         }
-        VecF w[3];
-        record_weights(s, r, w);
-        resolve_record_values(s, r, w, hn::RebindMask(tag_f, mask),
-                              lanes == pending && pending == full);
+        const bool all = lanes == pending && pending == full;
+        if (r.depth == Record::Depth::plane) {
+            resolve_values(s, RecordLookup(r, s), shading, view_.materials[r.material],
+                           hn::RebindMask(tag_f, mask), all);
+        } else {
+            VecF w[3];
+            record_weights(s, r, w);
+            resolve_record_values(s, r, w, hn::RebindMask(tag_f, mask), all);
+        }
         add_part(s.number, lanes, r.material, shading);
         return lanes;
     }

@@ -56,7 +56,8 @@ inline Boxes boxes_of(const Corners& c, const SetupView& view) {
             hn::Max(zero, box_first(ly, view.sample_y)),
             hn::Min(hn::Set(tag_i, view.width - 1), box_last(hx, view.sample_x)),
             hn::Min(hn::Set(tag_i, view.height - 1), box_last(hy, view.sample_y)),
-            hn::Sub(hx, lx), hn::Sub(hy, ly)};
+            hn::Sub(hx, lx),
+            hn::Sub(hy, ly)};
 }
 
 class ClusterSetup {
@@ -160,8 +161,8 @@ private:
             const Boxes box = boxes_of(c, view_);
             MaskI alive = hn::Not(hn::Or(hn::Gt(box.x0, box.x1), hn::Gt(box.y0, box.y1)));
             if (clip_) alive = divert_clipped(c, t, alive);
-            const MaskI large =
-                hn::And(alive, hn::Gt(hn::Max(box.side_x, box.side_y), hn::Set(tag_i, max_small_extent)));
+            const MaskI large = hn::And(
+                alive, hn::Gt(hn::Max(box.side_x, box.side_y), hn::Set(tag_i, max_small_extent)));
             if (!hn::AllFalse(tag_i, large)) {
                 divert(large, t);
                 alive = hn::AndNot(large, alive);
@@ -295,8 +296,8 @@ private:
 
         const ScreenPlane<Lanes> depth = depth_plane(c, z, ox, oy);
         const Lanes nearest_far(hn::Min(z[0], hn::Min(z[1], z[2])));
-        const MaskI serve =
-            hn::RebindMask(tag_i, planes_serve(depth, nearest_far, Lanes(to_float(area)),
+        const MaskI serve = hn::RebindMask(
+            tag_i, planes_serve(depth, nearest_far, Lanes(to_float(area)),
                                 Lanes(to_float(hn::Sub(box.x1, ox))),
                                 Lanes(to_float(hn::Sub(box.y1, oy))), Lanes(to_float(box.side_x)),
                                 Lanes(to_float(box.side_y)), Lanes(view_.steepest))

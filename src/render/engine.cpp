@@ -134,7 +134,7 @@ void Engine::Pass::add_faces(std::size_t object) {
     parallel_for(frame_.scene.objects[object].mesh->face_count(), 64, frame_.plan.threads,
                  [&](std::size_t begin, std::size_t end, int w) {
                      RecordMaker maker(frame_, shading_.surfaces, tile_, tiles_x_,
-                                       worker(w).records, worker(w).events);
+                                       setup_.attributes, worker(w).records, worker(w).events);
                      for (std::size_t face = begin; face < end; ++face)
                          maker.add_face(object, face);
                      worker(w).triangles += end - begin;
@@ -159,7 +159,8 @@ void Engine::Pass::make_records() {
 }
 
 void Engine::Pass::make_records(EngineWorker& worker) {
-    RecordMaker maker(frame_, shading_.surfaces, tile_, tiles_x_, worker.records, worker.events);
+    RecordMaker maker(frame_, shading_.surfaces, tile_, tiles_x_, setup_.attributes, worker.records,
+                      worker.events);
     for (const SpecialTriangle& special : worker.setup.special)
         maker.add_triangle(special.object, special.triangle);
 }

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <mutex>
 
+#include "render/records.hpp"
 #include "scanshade/base/parallel.hpp"
 
 namespace scanshade {
@@ -173,6 +174,22 @@ void EngineLight::light_record(Record& r, EventCounts& events) const {
             for (int c = 0; c < 3; ++c)
                 (albedo > 0 ? r.main : r.dark)[k][c] = points.radiance[c][k];
     }
+    if (r.depth == Record::Depth::plane) fill_planes(r);
+}
+
+/// Radiance of a planar record where resolve looks for it: planes, or one value of a flat face.
+void EngineLight::fill_planes(Record& r) const {
+    const Attributes& at = shading_.resolve.attributes;
+    const bool flat = shading_.objects[r.object].shading == Shading::flat;
+    const auto fill = [&](int row, const float(&value)[3][3]) {
+        for (int c = 0; c < 3 && row >= 0; ++c)
+            if (flat)
+                r.rows[row + 3 * c] = value[0][c];
+            else
+                set_plane(r, row + 3 * c, value[0][c], value[1][c], value[2][c]);
+    };
+    fill(at.main, r.main);
+    fill(at.dark, r.dark);
 }
 
 void EngineLight::fill(std::uint32_t number) {

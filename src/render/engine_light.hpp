@@ -49,6 +49,7 @@ private:
                 EventCounts& events);
     void fill(std::uint32_t number);
     void light_record(Record& record, EventCounts& events) const;
+    void fill_planes(Record& record) const;
 
     const TileShading& shading_;
     const EngineScene& scene_;

@@ -108,12 +108,34 @@ void RecordMaker::describe_depth(Record& r) const {
         return;
     }
     r.depth = face_.planar ? Record::Depth::plane : Record::Depth::weights;
-    r.plane[0] = face_.depth.c, r.plane[1] = face_.depth.x, r.plane[2] = face_.depth.y;
-    if (face_.planar) return;
+    if (face_.planar) return describe_planes(r);
     // Each of the three terms and the two sums may round once.
     const auto [low, high] = std::minmax_element(r.corner_depth, r.corner_depth + 3);
     r.nearest = *high * (1 + 0x1p-20f);
     r.farthest = *low * (1 - 0x1p-20f);
+}
+
+void set_plane(Record& r, int row, float a0, float a1, float a2) {
+    for (int part = 0; part < 3; ++part)
+        r.rows[row + part] = a0 * r.weight_plane[0][part] + a1 * r.weight_plane[1][part] +
+                             a2 * r.weight_plane[2][part];
+}
+
+/// What set-up gives a triangle of a batch.
+void RecordMaker::describe_planes(Record& r) const {
+    r.rows[row_depth] = face_.depth.c;
+    r.rows[row_depth + 1] = face_.depth.x;
+    r.rows[row_depth + 2] = face_.depth.y;
+    r.rows[row_origin_x] = static_cast<float>(r.origin_x);
+    r.rows[row_origin_y] = static_cast<float>(r.origin_y);
+    for (int i = 0; i < 3; ++i) {
+        const double scale = r.inv_area * (r.affine ? 1.0 : double(r.corner_depth[i]));
+        const double at_origin =
+            r.weight_c[i] + r.weight_x[i] * r.origin_x + r.weight_y[i] * r.origin_y;
+        r.weight_plane[i][0] = static_cast<float>(at_origin * scale);
+        r.weight_plane[i][1] = static_cast<float>(r.weight_x[i] * scale);
+        r.weight_plane[i][2] = static_cast<float>(r.weight_y[i] * scale);
+    }
 }
 
 void RecordMaker::describe_values(Record& r) const {
@@ -130,6 +152,14 @@ void RecordMaker::describe_values(Record& r) const {
         r.texcoord[i][0] = mesh.u[v];
         r.texcoord[i][1] = mesh.v[v];
     }
+    if (r.depth != Record::Depth::plane) return;
+    const auto planes = [&](int row, int count, auto&& value) {
+        for (int c = 0; c < count && row >= 0; ++c)
+            set_plane(r, row + 3 * c, value(0, c), value(1, c), value(2, c));
+    };
+    planes(attributes_.main, 3, [&](int i, int c) { return r.main[i][c]; });
+    planes(attributes_.texcoord, 2, [&](int i, int c) { return r.texcoord[i][c]; });
+    planes(attributes_.position, 3, [&](int i, int c) { return r.position[i][c]; });
 }
 
 void RecordMaker::put_into_tiles(const Record& r) {

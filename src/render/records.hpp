@@ -25,16 +25,20 @@ public:
     TileLists lists;                   // numbers of records
 };
 
+/// The plane of Σ a_i · weight_i of a planar record into its rows from `row` on.
+void set_plane(Record& record, int row, float a0, float a1, float a2);
+
 /// Turns faces into records.
 class RecordMaker {
 public:
     /// Tiles of `tile` × `tile` samples, tiles_x of them in a row.
     RecordMaker(const Frame& frame, const std::vector<ObjectSurface>& surfaces, int tile,
-                int tiles_x, RecordList& into, EventCounts& events)
+                int tiles_x, const Attributes& attributes, RecordList& into, EventCounts& events)
         : frame_(frame),
           surfaces_(surfaces),
           tile_(tile),
           tiles_x_(tiles_x),
+          attributes_(attributes),
           into_(into),
           events_(events) {}
 
@@ -46,12 +50,14 @@ private:
     void add();
     void describe_edges(Record& r) const;
     void describe_depth(Record& r) const;
+    void describe_planes(Record& r) const;
     void describe_values(Record& r) const;
     void put_into_tiles(const Record& r);
 
     const Frame& frame_;
     const std::vector<ObjectSurface>& surfaces_;
     const int tile_, tiles_x_;
+    const Attributes& attributes_;
     RecordList& into_;
     EventCounts& events_;
     DrawnFace face_;
