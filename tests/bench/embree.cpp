@@ -131,7 +131,7 @@ private:
         rtcJoinCommitScene(tree_);
     }
 
-    /// The widest packet that this machine has comes last.
+    /// Called from the narrowest to the widest: the last that this machine has stays.
     template <class Packet>
     void choose_packet() {
         if (rtcGetDeviceProperty(device_, Packet::native) == 0) return;
