@@ -34,13 +34,16 @@ VIEWER_SOURCES := $(wildcard src/viewer/*.cpp) \
 # What tests link of the programs: nothing of it sees SDL.
 TESTED_SOURCES := $(patsubst %,src/viewer/%.cpp,camera_control view_state overlay) \
                   src/cli/lettering.cpp
-TEST_SOURCES   := $(wildcard tests/*.cpp tests/*/*.cpp)
+# The benchmark links what the tests do not need; of the programs it takes tables and memory.
+BENCH_SOURCES  := $(wildcard tests/bench/*.cpp) $(patsubst %,src/cli/%.cpp,console stats events)
+TEST_SOURCES   := $(filter-out $(BENCH_SOURCES),$(wildcard tests/*.cpp tests/*/*.cpp))
 object = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(1))
 
 LIB    := $(BUILD)/libscanshade.a
 CLI    := $(BUILD)/scanshade
 VIEWER := $(BUILD)/scanshade-view
 TESTS  := $(BUILD)/scanshade-tests
+BENCH  := $(BUILD)/scanshade-bench
 
 .DEFAULT_GOAL := all
 .PHONY: all
@@ -52,6 +55,10 @@ $(BUILD)/obj/src/viewer/%.o: ALL_CXXFLAGS += $(SDL_CFLAGS)
 ifeq ($(config),release)
 $(BUILD)/obj/src/kernels/%.o $(BUILD)/obj/src/brdf/%.o: ALL_CXXFLAGS += -O3
 endif
+# The peers' code gets whatever makes it fastest: the rules of this project's own arithmetic are not
+# its rules.
+$(BUILD)/obj/tests/bench/embree.o: ALL_CXXFLAGS += -O3
+$(BUILD)/obj/tests/bench/packet_shading.o: ALL_CXXFLAGS += -O3 -ffast-math -mprefer-vector-width=512
 
 # Tests of the programs run those that were built beside them.
 $(BUILD)/obj/tests/cli/%.o $(BUILD)/obj/tests/viewer/%.o: ALL_CXXFLAGS += -DSCANSHADE_BINARY='"$(abspath $(CLI))"'
@@ -79,7 +86,12 @@ $(TESTS): $(call object,$(TEST_SOURCES) $(TESTED_SOURCES)) $(LIB) | $(CLI) $(VIE
 	@echo "  LINK $@"
 	@$(CXX) $(ALL_CXXFLAGS) $^ -o $@ $(LIBS)
 
--include $(patsubst %.o,%.d,$(call object,$(LIB_SOURCES) $(CLI_SOURCES) $(VIEWER_SOURCES) $(TEST_SOURCES)))
+$(BENCH): $(call object,$(BENCH_SOURCES)) $(LIB)
+	@echo "  LINK $@"
+	@$(CXX) $(ALL_CXXFLAGS) $^ -o $@ $(LIBS) -lOSMesa -lembree3 -ltbb
+
+-include $(patsubst %.o,%.d,$(call object,$(LIB_SOURCES) $(CLI_SOURCES) $(VIEWER_SOURCES) \
+    $(TEST_SOURCES) $(BENCH_SOURCES)))
 
 .PHONY: tests
 tests: $(TESTS)
@@ -95,13 +107,16 @@ TEST_NEEDS := $(DEMO_NEEDS) catch2:catch2/catch.hpp,catch2/catch_all.hpp libsdl2
               pkg-config:pkg-config python3:python3 clang-format:clang-format xvfb:Xvfb \
               xdotool:xdotool x11-apps:xwd imagemagick:convert \
               assimp-testmodels:/usr/share/assimp/models
+BENCH_NEEDS := $(DEMO_NEEDS) libosmesa6-dev:GL/osmesa.h libembree-dev:embree3/rtcore.h
 
-.PHONY: deps deps-demo deps-test
-deps: deps-test  ## install the Debian packages that are missing, for all targets
+.PHONY: deps deps-demo deps-test deps-bench
+deps: deps-test deps-bench  ## install the Debian packages that are missing, for all targets
 deps-demo:
 	@CXX='$(CXX)' bash .ci/deps $(DEMO_NEEDS)
 deps-test:
 	@CXX='$(CXX)' bash .ci/deps $(TEST_NEEDS)
+deps-bench:
+	@CXX='$(CXX)' bash .ci/deps $(BENCH_NEEDS)
 
 # Programs are built by a second make, so that packages are there first and all cores are used.
 SUBMAKE = $(MAKE) $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(JOBS))
@@ -124,6 +139,14 @@ demo: deps-demo  ## draw the teapot into build/demo.png
 test: deps-test  ## build and run all tests; TAGS=[brdf] runs those of one tag
 	@$(SUBMAKE) all tests
 	@$(TESTS) $(if $(TAGS),'$(TAGS)')
+
+CELLS ?= all
+.PHONY: bench
+bench: deps-bench  ## times beside llvmpipe and Embree, in build/bench/; CELLS=quick takes 2 minutes
+	@$(SUBMAKE) $(BENCH)
+	@$(BENCH) --cells '$(CELLS)' $(if $(MESH),--mesh '$(MESH)') $(if $(CULL:back=),--two-sided) \
+	    --commit "$$(git describe --always --dirty 2>/dev/null || echo unknown)" \
+	    --build='$(strip $(CXX) $(filter-out -W% -I% -M%,$(CXXFLAGS_COMMON) $(CXXFLAGS_$(config)) $(CXXFLAGS)))'
 
 CHECKS := check-selftest check-layers check-equations check-format check-headers
 HEADERS := $(shell find include -name '*.hpp' 2>/dev/null | sort)

@@ -32,7 +32,8 @@ LIBRARIES = [
     (r"(stb/)?stb_easy_font", r"src/(cli|viewer)/"),
     (r"(stb/)?stb_", r"src/image/png\.cpp$"),
     (r"catch2/", r"tests/"),
-    (r"CLI/", r"src/cli/"),
+    (r"CLI/", r"(src/cli|tests/bench)/"),
+    (r"(GL|embree3)/", r"tests/bench/"),
 ]
 HIGHWAY_HEADERS = re.compile(r"include/scanshade/num/(lanes|target)\.hpp$|src/brdf/model_\w+\.hpp$")
 

@@ -1,0 +1,64 @@
+// Scanshade, through its public interface.
+#include "bench/rival.hpp"
+#include "bench/scenes.hpp"
+#include "scanshade/image/framebuffer.hpp"
+#include "scanshade/kernels/isa.hpp"
+#include "scanshade/render/renderer.hpp"
+
+namespace scanshade::bench {
+namespace {
+
+/// Instruction sets that stand beside each other, those that this machine has.
+std::vector<std::string> measured_sets() {
+    std::vector<std::string> sets = instruction_sets();
+    std::erase_if(sets, [](const std::string& isa) { return isa == "ssse3" || isa == "scalar"; });
+    return sets;
+}
+
+class Ours final : public Rival {
+public:
+    explicit Ours(const Ground& ground) : ground_(ground), sets_(measured_sets()) {}
+
+    std::string about() const override { return "scanshade"; }
+
+    std::vector<std::string> prepare(const Cell& cell) override {
+        renderers_.clear();
+        const Scene scene = lit_scene(ground_.scene, cell);
+        Settings settings = settings_of(cell, ground_.cull);
+        settings.transfer = Transfer::linear;
+        settings.threads = ground_.threads;
+        std::vector<std::string> names;
+        for (const std::string& isa : sets_) {
+            renderers_.emplace_back(scene, settings);
+            names.push_back("simd " + isa);
+        }
+        return names;
+    }
+
+    void draw(std::size_t way) override {
+        use_instruction_set(sets_[way]);
+        renderers_[way].draw(pixels_);
+    }
+
+    Picture picture(std::size_t way) override {
+        draw(way);
+        Picture picture;
+        picture.rgba.assign(pixels_.rgba.begin(), pixels_.rgba.end());
+        Framebuffer frame;
+        renderers_[way].draw(frame);
+        picture.id = frame.id;
+        return picture;
+    }
+
+private:
+    Ground ground_;
+    std::vector<std::string> sets_;    // [way]
+    std::vector<Renderer> renderers_;  // [way]
+    PixelBuffer pixels_;
+};
+
+}  // namespace
+
+std::unique_ptr<Rival> make_ours(const Ground& ground) { return std::make_unique<Ours>(ground); }
+
+}  // namespace scanshade::bench
