@@ -29,8 +29,7 @@ struct blinn_phong {
 
     template <Real R>
     static Rgb<R> f_cos(const Cosines<R>& c, const ParamPack<R>& p) {
-        return phong_reflection(p.rgb(kd), p.rgb(ks), p.exponent(shininess), c.n_i, c.n_h) *
-               R(inv_pi);
+        return phong_f_cos(p.rgb(kd), p.rgb(ks), p.exponent(shininess), c.n_i, c.n_h);
     }
 };
 

@@ -7,6 +7,7 @@
 #define SCANSHADE_BRDF_ILLUMINATE_HPP
 #endif
 
+#include "brdf/cosines.hpp"
 #include "scanshade/brdf/brdf.hpp"
 #include "scanshade/eq/radiometry.hpp"
 #include "scanshade/eq/shading.hpp"
@@ -27,6 +28,8 @@ struct ParamPack {
     }
     R number(int index) const { return R(material.value[index][0]); }
     const Exponent& exponent(int index) const { return material.exponent[index]; }
+    int choice(int index) const { return static_cast<int>(material.value[index][0]); }
+    R derived(int index) const { return R(material.derived[index]); }
 };
 
 /// Index of the parameter with the diffuse role, −1: none.
@@ -72,14 +75,6 @@ Arriving<R> arriving(const LightTerm<Scalar<R>>& light, const Vec3<R>& P) {
         factor = factor *
                  spot_light(-wi, uniform_vec3<R>(light.axis), light.cos_cutoff, light.inv_penumbra);
     return {wi, factor, distance};
-}
-
-/// Directions at one point as the cosines that models read.
-template <Real R>
-Cosines<R> cosines(const Vec3<R>& n, const Vec3<R>& wi, const Vec3<R>& wo) {
-    const R floor_o = R(1e-12);
-    return {dot(n, wi), max(dot(n, wo), floor_o), clamp(dot(n, half_vector(wi, wo)), R(0), R(1)),
-            clamp(dot(mirror_direction(wi, n), wo), R(0), R(1))};
 }
 
 template <class Model, Real R>

@@ -30,8 +30,7 @@ struct phong {
 
     template <Real R>
     static Rgb<R> f_cos(const Cosines<R>& c, const ParamPack<R>& p) {
-        return phong_reflection(p.rgb(kd), p.rgb(ks), p.exponent(shininess), c.n_i, c.r_o) *
-               R(inv_pi);
+        return phong_f_cos(p.rgb(kd), p.rgb(ks), p.exponent(shininess), c.n_i, c.r_o);
     }
 };
 

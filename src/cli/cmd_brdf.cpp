@@ -1,5 +1,6 @@
 // scanshade brdf: the registry of reflection models, printed.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
@@ -11,7 +12,8 @@ namespace scanshade {
 namespace {
 
 std::string_view kind_name(ParamKind kind) {
-    constexpr std::string_view names[] = {"R,G,B", "number", "exponent"};  // in the enum's order
+    constexpr std::string_view names[] = {"R,G,B", "number", "exponent",
+                                          "choice"};  // in the enum's order
     return names[std::size_t(kind)];
 }
 
@@ -28,10 +30,21 @@ std::string parameters(const BrdfInfo& brdf) {
         {"  name", "symbol", "kind", "range", "default", "unit", "meaning"}};
     for (const ParamInfo& p : brdf.params)
         rows.push_back({fmt::format("  {}", p.name), std::string(p.symbol),
-                        std::string(kind_name(p.kind)), fmt::format("{:g} to {:g}", p.min, p.max),
-                        fmt::format("{:g}", p.standard), std::string(p.unit.empty() ? "1" : p.unit),
+                        std::string(kind_name(p.kind)),
+                        p.names.empty() ? fmt::format("{:g} to {:g}", p.min, p.max)
+                                        : fmt::format("{}", fmt::join(p.names, " ")),
+                        value_text(p, p.standard), std::string(p.unit.empty() ? "1" : p.unit),
                         std::string(p.meaning)});
     return table(rows);
+}
+
+std::string_view energy_text(Energy energy) {
+    constexpr std::string_view texts[] = {
+        "conserves energy: reflects at most what arrives",
+        "conserves energy where the diffuse and the specular parameter sum to at most 1",
+        "may reflect more energy than arrives, for some parameters in range",
+    };  // in the enum's order
+    return texts[std::size_t(energy)];
 }
 
 std::string show(const BrdfInfo& brdf) {
@@ -44,10 +57,7 @@ std::string show(const BrdfInfo& brdf) {
                        promises.reciprocal
                            ? "reciprocal: f_r(ω_i, ω_o) = f_r(ω_o, ω_i)"
                            : "not reciprocal: f_r(ω_i, ω_o) and f_r(ω_o, ω_i) may differ",
-                       promises.energy == Energy::conserving
-                           ? "conserves energy: reflects at most what arrives"
-                           : "may reflect more energy than arrives, for some parameters in range",
-                       brdf.source);
+                       energy_text(promises.energy), brdf.source);
 }
 
 const BrdfInfo& known_brdf(std::string_view name) {
