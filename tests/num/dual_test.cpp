@@ -22,6 +22,10 @@ TEST_CASE("derivatives of operations and functions by hand", "[num][dual]") {
     CHECK(at(x, [](Dual d) { return Dual(1) / d; }).derivative == Approx(-1 / (x * x)));
     CHECK(at(x, [](Dual d) { return Dual(2) - d; }).derivative == -1);
     CHECK(at(x, [](Dual d) { return sqrt(d); }).derivative == Approx(0.5 / std::sqrt(x)));
+    CHECK(at(x, [](Dual d) { return mul_add(d, d, Dual(1)); }).derivative == Approx(2 * x));
+    CHECK(at(x, [](Dual d) { return reciprocal(d); }).derivative == Approx(-1 / (x * x)));
+    CHECK(at(x, [](Dual d) { return inverse_sqrt(d); }).derivative ==
+          Approx(-0.5 / (x * std::sqrt(x))));
     CHECK(at(x, [](Dual d) { return exp(d + d); }).derivative == Approx(2 * std::exp(2 * x)));
     CHECK(at(x, [](Dual d) { return log(d); }).derivative == Approx(1 / x));
     CHECK(at(x, [](Dual d) { return log1p(d); }).derivative == Approx(1 / (1 + x)));

@@ -82,6 +82,7 @@ TEST_CASE("operations on wide intervals enclose those on their members", "[num][
                 REQUIRE((a - b).contains(x - y));
                 REQUIRE((a * b).contains(x * y));
                 if (y != 0) REQUIRE((a / b).contains(x / y));
+                REQUIRE(mul_add(a, b, a).contains(x * y + x));
                 REQUIRE(min(a, b).contains(std::min(x, y)));
                 REQUIRE(max(a, b).contains(std::max(x, y)));
                 REQUIRE(atan2(a, b).contains(std::atan2(x, y)));
@@ -97,6 +98,8 @@ TEST_CASE("operations on wide intervals enclose those on their members", "[num][
         for_members(positive, rng, [&](long double x) {
             REQUIRE(log(positive).contains(std::log(x)));
             REQUIRE(sqrt(positive).contains(std::sqrt(x)));
+            REQUIRE(inverse_sqrt(positive).contains(1 / std::sqrt(x)));
+            REQUIRE(reciprocal(positive).contains(1 / x));
         });
     }
 }
@@ -109,6 +112,8 @@ TEST_CASE("functions of a point are as close as their documented error", "[num][
             return double(y.high - y.low) / (0x1p-23 * std::abs(double(y.high)));
         };
         CHECK(width_ulps(exp(x)) <= 2 * exp_ulps + 2);
+        CHECK(width_ulps(inverse_sqrt(x)) <= 2 * estimate_ulps + 2);
+        CHECK(width_ulps(reciprocal(x)) <= 2 * estimate_ulps + 2);
         CHECK(width_ulps(log(x)) <= 2 * log_ulps + 2);
         CHECK(width_ulps(log1p(x)) <= 2 * log1p_ulps + 2);
         CHECK(width_ulps(sin(x)) <= 2 * sine_ulps + 2);
@@ -141,6 +146,8 @@ TEST_CASE("divisors that may be 0 open the result, and nothing becomes a NaN", "
     CHECK((product.low == 0 && product.high == 0));
     CHECK((one / (one / upper)).low == 0);
     CHECK(sqrt(around).low == 0);
+    CHECK((reciprocal(zero).low <= 0x1p100f && reciprocal(zero).high == interval_infinity));
+    CHECK(inverse_sqrt(upper).high == interval_infinity);
     CHECK(log(upper).low == -interval_infinity);
     const Interval jump = atan2(around, Interval{-2, -1});
     CHECK((jump.contains(3.14159L) && jump.contains(-3.14159L)));

@@ -65,6 +65,12 @@ inline Dual sqrt(const Dual& x) {
     const double root = std::sqrt(x.value);
     return {root, chain(1, 2 * root, x.derivative)};
 }
+inline Dual mul_add(const Dual& a, const Dual& b, const Dual& c) { return a * b + c; }
+inline Dual inverse_sqrt(const Dual& x) {
+    const double inverse = 1 / std::sqrt(x.value);
+    return {inverse, chain(-0.5 * inverse, x.value, x.derivative)};
+}
+inline Dual reciprocal(const Dual& x) { return Dual(1) / x; }
 inline Dual exp(const Dual& x) {
     const double power = std::exp(x.value);
     return {power, power * x.derivative};

@@ -159,7 +159,7 @@ inline Interval abs(const Interval& x) {
 // The largest error of the float functions of glibc ("Known Maximum Errors in Math Functions") and
 // of Highway's contrib/math, whichever is larger; atan2 is num/lanes_functions.hpp's.
 inline constexpr double exp_ulps = 1, log_ulps = 4, log1p_ulps = 2, sine_ulps = 3, arc_ulps = 2,
-                        atan2_ulps = 6;
+                        atan2_ulps = 6, estimate_ulps = 2;
 
 /// Correctly rounded everywhere; of a negative number as of 0.
 inline Interval sqrt(const Interval& x) {
@@ -171,6 +171,21 @@ inline Interval sqrt(const Interval& x) {
         return hull(enclose(root, -1), enclose(root, 1));
     };
     return {std::max(enclosed_root(x.low).low, 0.0f), enclosed_root(x.high).high};
+}
+/// Holds the result of a fused operation too: it rounds the exact a b + c, which is inside.
+inline Interval mul_add(const Interval& a, const Interval& b, const Interval& c) {
+    return a * b + c;
+}
+/// 1/√x for x > 0, to the error of vectors that start from an estimate.
+inline Interval inverse_sqrt(const Interval& x) {
+    return widened(1 / std::sqrt(std::max(double(x.high), 0.0)),
+                   1 / std::sqrt(std::max(double(x.low), 0.0)), estimate_ulps);
+}
+/// 1/x for x ≥ 0, which vectors limit to 2^±100.
+inline Interval reciprocal(const Interval& x) {
+    const Interval all =
+        widened(1 / double(x.high), 1 / std::max(double(x.low), 0.0), estimate_ulps);
+    return hull(all, min(max(all, Interval(0x1p-100f)), Interval(0x1p100f)));
 }
 inline Interval exp(const Interval& x) {
     const Interval wide = widened(std::exp(double(x.low)), std::exp(double(x.high)), exp_ulps);
