@@ -13,14 +13,14 @@ CXXFLAGS_COMMON := -std=c++20 -Wall -Wextra -Wshadow -Wconversion -Wdouble-promo
 CXXFLAGS_release := -O2
 CXXFLAGS_debug   := -O0 -g
 CXXFLAGS_asan    := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all \
-                    -fno-omit-frame-pointer
+                    -fno-omit-frame-pointer -Wno-maybe-uninitialized  # false alarms in Catch
 ifeq ($(CXXFLAGS_$(config)),)
 $(error config=$(config) is unknown; use release, debug or asan)
 endif
 ALL_CXXFLAGS = $(CXXFLAGS_COMMON) $(CXXFLAGS_$(config)) $(CXXFLAGS)
 SDL_CFLAGS = $(shell pkg-config --cflags sdl2 2>/dev/null)
 SDL_LIBS   = $(shell pkg-config --libs sdl2 2>/dev/null || echo -lSDL2)
-LIBS := -lfmt -lhwy
+LIBS := -lfmt -lhwy -lmeshoptimizer -ltbb
 export PYTHONDONTWRITEBYTECODE := 1
 
 -include Makefile.local
@@ -84,7 +84,8 @@ tests: $(TESTS)
 DEMO_NEEDS := g++:c++ libglm-dev:glm/vec3.hpp libtinyobjloader-dev:tiny_obj_loader.h \
               libstb-dev:stb/stb_image.h libcli11-dev:CLI/CLI.hpp \
               libtomlplusplus-dev:toml++/toml.h nlohmann-json3-dev:nlohmann/json.hpp \
-              libfmt-dev:fmt/format.h libhwy-dev:hwy/highway.h
+              libfmt-dev:fmt/format.h libhwy-dev:hwy/highway.h \
+              libmeshoptimizer-dev:meshoptimizer.h libtbb-dev:tbb/parallel_for.h
 TEST_NEEDS := $(DEMO_NEEDS) catch2:catch2/catch.hpp,catch2/catch_all.hpp libsdl2-dev:SDL2/SDL.h \
               pkg-config:pkg-config python3:python3 clang-format:clang-format xvfb:Xvfb \
               xdotool:xdotool x11-apps:xwd imagemagick:convert \

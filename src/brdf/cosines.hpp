@@ -18,9 +18,10 @@ template <Real R>
 Cosines<R> cosines(const Vec3<R>& n, const Vec3<R>& wi, const Vec3<R>& wo) {
     const Vec3<R> sum = wi + wo, h = half_vector(wi, wo), n_cross_h = cross(n, h);
     const R length2 = dot(sum, sum);
-    return {dot(n, wi),
-            max(dot(n, wo), R(1e-12)),
-            clamp(dot(n, h), R(0), R(1)),
+    const R n_i = dot(n, wi), n_o = dot(n, wo);
+    return {n_i,
+            max(n_o, R(1e-12)),
+            cos_half(n_i, n_o, wi, wo),
             clamp(dot(mirror_direction(wi, n), wo), R(0), R(1)),
             min(sqrt(length2) * R(0.5), R(1)),
             select(length2 > R(0), min(dot(n_cross_h, n_cross_h), R(1)), R(1)),

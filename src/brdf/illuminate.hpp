@@ -30,6 +30,8 @@ struct ParamPack {
     const Exponent& exponent(int index) const { return material.exponent[index]; }
     int choice(int index) const { return static_cast<int>(material.value[index][0]); }
     R derived(int index) const { return R(material.derived[index]); }
+    /// The specular parameter is black, and its term may be left out.
+    bool matt() const { return material.matt; }
 };
 
 /// Index of the parameter with the diffuse role, −1: none.
@@ -68,13 +70,27 @@ Arriving<R> arriving(const LightTerm<Scalar<R>>& light, const Vec3<R>& P) {
     const R distance = sqrt(dot(to_light, to_light));
     const Vec3<R> wi = normalise(to_light);
     const R d = max(distance, R(light.radius));
-    R factor = attenuation(d, light.attenuation[0], light.attenuation[1], light.attenuation[2]);
+    R factor = light.constant ? reciprocal(R(light.attenuation[0]))
+                              : attenuation(d, light.attenuation[0], light.attenuation[1],
+                                            light.attenuation[2]);
     if (light.emission == LightEmission::cosine)
         factor = factor * cosine_light(-wi, uniform_vec3<R>(light.axis));
     if (light.emission == LightEmission::spot)
         factor = factor *
                  spot_light(-wi, uniform_vec3<R>(light.axis), light.cos_cutoff, light.inv_penumbra);
     return {wi, factor, distance};
+}
+
+/// Samples of the vector at i that are nearer to the light than its radius.
+template <Real R>
+std::uint64_t count_nearer(const SurfaceSpan<Scalar<R>>& span, std::size_t i,
+                           const Arriving<R>& from, const LightTerm<Scalar<R>>& light) {
+    const auto nearer = from.distance < R(light.radius);
+    const auto in_span = RealTraits<R>::iota() < R(static_cast<double>(span.count - i));
+    const auto counted = span.counted == nullptr
+                             ? in_span
+                             : mask_and(in_span, R(0) < RealTraits<R>::load(span.counted + i));
+    return count_true(mask_and(nearer, counted));
 }
 
 template <class Model, Real R>
@@ -94,7 +110,6 @@ SpanEvents illuminate_span(const SurfaceSpan<Scalar<R>>& span, const Lighting<Sc
         const ParamPack<R> params{material, span.albedo[0] != nullptr ? &albedo : nullptr,
                                   diffuse_index<Model>()};
 
-        const auto in_span = RealTraits<R>::iota() < R(static_cast<double>(span.count - i));
         Rgb<R> L =
             ambient_term(uniform_rgb<R>(lighting.ambient), uniform_rgb<R>(material.ka) * albedo) +
             uniform_rgb<R>(material.emission);
@@ -103,8 +118,7 @@ SpanEvents illuminate_span(const SurfaceSpan<Scalar<R>>& span, const Lighting<Sc
             const Cosines<R> c = cosines(n, from.wi, wo);
             const R factor = select(c.n_i > R(0), from.factor, R(0));
             L = L + light_term(factor, uniform_rgb<R>(light.irradiance), Model::f_cos(c, params));
-            events.light_at_surface +=
-                count_true(mask_and(from.distance < R(light.radius), in_span));
+            if (light.touches) events.light_at_surface += count_nearer<R>(span, i, from, light);
         }
         RealTraits<R>::store(L.r, span.radiance[0] + i);
         RealTraits<R>::store(L.g, span.radiance[1] + i);

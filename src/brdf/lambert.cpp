@@ -17,6 +17,8 @@ struct lambert {
         {"kd", "ρ_d", ParamKind::rgb, ParamRole::diffuse, 0, 1, 0.8, "", "diffuse albedo"},
     };
 
+    static constexpr bool ignores_view = true;
+
     static double error_u(const MaterialParams<double>&) { return 4; }
     static constexpr Promises promises{
         .reciprocal = true, .energy = Energy::conserving, .error_u = error_u};

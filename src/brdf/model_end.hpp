@@ -41,6 +41,12 @@ void derive(MaterialParams<double>& params) {
     if constexpr (requires { M::derive(params); }) M::derive(params);
 }
 
+/// A model that reads cosθ_i alone says so.
+template <class Model>
+constexpr bool ignores_view() {
+    return requires { Model::ignores_view; };
+}
+
 }  // namespace
 
 #define SCANSHADE_ROW_(model) brdf_##model
@@ -53,6 +59,7 @@ const BrdfInfo SCANSHADE_ROW(SCANSHADE_MODEL) = {
     .source = Model::source,
     .params = Model::params,
     .promises = Model::promises,
+    .ignores_view = ignores_view<Model>(),
     .derive = derive<Model>,
     .f_cos_f64 = f_cos<double, double>,
     .f_cos_f32 = f_cos<float, float>,

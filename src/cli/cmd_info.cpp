@@ -10,7 +10,7 @@
 #include "cli/events.hpp"
 #include "cli/progress.hpp"
 #include "scanshade/brdf/brdf.hpp"
-#include "scanshade/image/image.hpp"
+#include "scanshade/image/texture.hpp"
 #include "scanshade/scene/scene.hpp"
 
 namespace scanshade {
@@ -96,7 +96,8 @@ Rows material_rows(const Scene& scene, const Settings& settings) {
                         parameter_text(resolved)});
         if (const Texture* map = material.map_kd.get())
             rows.push_back(
-                {"", "", fmt::format("map_kd {}, {} × {}", map->name, map->width, map->height)});
+                {"", "",
+                 fmt::format("map_kd {}, {} × {}", map->name, map->width(), map->height())});
         for (const std::string& what : resolved.mapped) rows.push_back({"", "", what});
     }
     return rows;

@@ -80,16 +80,16 @@ int run_render(OptionParser& options, char** raw_args) {
     const Scene scene = load_scene(args.input, args.settings);
     Renderer renderer(scene, args.settings);
     const double load_ms = load_timer.ms();
-    Framebuffer frame;
+    PixelBuffer pixels;
     std::vector<FrameStats> frames;
     for (long long i = 0; i < args.repeat; ++i) {
         progress.text(args.repeat == 1 ? fmt::format("drawing {}", args.input)
                                        : fmt::format("drawing {}, frame {} of {}", args.input,
                                                      i + 1, args.repeat));
-        frames.push_back(renderer.draw(frame));
+        frames.push_back(renderer.draw(pixels));
     }
     progress.text("writing " + args.output);
-    save_png(encode(frame, args.settings.transfer, args.settings.exposure_ev), args.output);
+    save_png(to_image(pixels), args.output);
     progress.finish();
 
     const Run run =

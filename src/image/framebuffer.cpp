@@ -4,56 +4,60 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstring>
 
 #include "scanshade/base/error.hpp"
 
 namespace scanshade {
 namespace {
 
-std::uint8_t to_byte(double fraction) { return std::uint8_t(255 * fraction + 0.5); }
-
-/// The byte of the double formula to_byte(srgb_encode(x)) without a power a pixel: the smallest x
-/// of each byte is found once, by bisection with the formula itself.
-class SrgbBytes {
-public:
-    SrgbBytes() {
-        for (std::size_t byte = 1; byte < 256; ++byte) start_[byte] = smallest(byte);
-        std::uint8_t byte = 0;
-        for (std::size_t cell = 0; cell < cells; ++cell)
-            byte = guess_[cell] = search(double(cell) / cells, byte);
-    }
-
-    /// x in [0, 1].
-    std::uint8_t operator()(double x) const {
-        return search(x, guess_[std::min(std::size_t(x * cells), cells - 1)]);
-    }
-
-private:
-    static constexpr std::size_t cells = 4096;
-
-    std::uint8_t search(double x, std::uint8_t byte) const {
-        while (byte < 255 && x >= start_[byte + 1u]) ++byte;
-        return byte;
-    }
-
-    /// Positive doubles are in the order of their bits.
-    static double smallest(std::size_t byte) {
-        std::uint64_t low = 0, high = std::bit_cast<std::uint64_t>(1.0);
+/// The smallest float whose double formula rounds to each byte, by bisection: positive floats are in
+/// the order of their bits.
+std::array<float, 257> make_srgb_starts() {
+    std::array<float, 257> start{};
+    for (std::size_t byte = 1; byte < 256; ++byte) {
+        std::uint32_t low = 0, high = std::bit_cast<std::uint32_t>(1.0f);
         while (low < high) {
-            const std::uint64_t middle = low + (high - low) / 2;
-            if (to_byte(srgb_encode(std::bit_cast<double>(middle))) >= byte)
+            const std::uint32_t middle = low + (high - low) / 2;
+            if (255 * srgb_encode(double(std::bit_cast<float>(middle))) + 0.5 >= double(byte))
                 high = middle;
             else
                 low = middle + 1;
         }
-        return std::bit_cast<double>(low);
+        start[byte] = std::bit_cast<float>(low);
+    }
+    start[256] = INFINITY;
+    return start;
+}
+
+/// The byte of a value in [0, 1] by a search that a table of guesses makes short.
+class SrgbBytes {
+public:
+    SrgbBytes() {
+        std::uint8_t byte = 0;
+        for (std::size_t cell = 0; cell < cells; ++cell)
+            byte = guess_[cell] = search(float(cell) / float(cells), byte);
+    }
+    std::uint8_t operator()(float x) const {
+        return search(x, guess_[std::min(std::size_t(x * float(cells)), cells - 1)]);
     }
 
-    std::array<double, 256> start_{};
+private:
+    static constexpr std::size_t cells = 4096;
+    std::uint8_t search(float x, std::uint8_t byte) const {
+        while (x >= start_[byte + 1u]) ++byte;
+        return byte;
+    }
+    const std::array<float, 257>& start_ = srgb_byte_starts();
     std::array<std::uint8_t, cells> guess_{};
 };
 
 }  // namespace
+
+const std::array<float, 257>& srgb_byte_starts() {
+    static const std::array<float, 257> starts = make_srgb_starts();
+    return starts;
+}
 
 Framebuffer::Framebuffer(int w, int h) : width(w), height(h) {
     SCANSHADE_CHECK(w > 0 && h > 0 && w <= max_image_side && h <= max_image_side);
@@ -62,20 +66,49 @@ Framebuffer::Framebuffer(int w, int h) : width(w), height(h) {
     id.assign(pixels, no_triangle);
 }
 
-Image encode(const Framebuffer& frame, Transfer transfer, double exposure_ev) {
+Image to_image(const PixelBuffer& pixels) {
+    Image image(pixels.width, pixels.height);
+    for (std::size_t i = 0; i < pixels.rgba.size(); ++i)
+        std::memcpy(&image.rgb[3 * i], &pixels.rgba[i], 3);
+    return image;
+}
+
+namespace {
+
+/// Calls put(pixel, channel, byte) for all of a frame.
+template <class Put>
+void encode_with(const Framebuffer& frame, Transfer transfer, double exposure_ev, Put&& put) {
     static const SrgbBytes srgb;
-    Image image(frame.width, frame.height);
-    const double scale = std::exp2(exposure_ev);
+    const float scale = static_cast<float>(std::exp2(exposure_ev));
     const std::vector<float>* const planes[3] = {&frame.r, &frame.g, &frame.b};
     for (std::size_t channel = 0; channel < 3; ++channel) {
         const std::vector<float>& plane = *planes[channel];
         for (std::size_t i = 0; i < plane.size(); ++i) {
-            const double exposed = double(plane[i]) * scale;
-            const double value = exposed > 0 ? std::min(exposed, 1.0) : 0;  // NaN is not > 0
-            image.rgb[3 * i + channel] = transfer == Transfer::srgb ? srgb(value) : to_byte(value);
+            const float exposed = plane[i] * scale;
+            const float value = exposed > 0 ? std::min(exposed, 1.0f) : 0;  // NaN is not > 0
+            put(i, channel,
+                transfer == Transfer::srgb ? srgb(value) : std::uint8_t(value * 255.0f + 0.5f));
         }
     }
+}
+
+}  // namespace
+
+Image encode(const Framebuffer& frame, Transfer transfer, double exposure_ev) {
+    Image image(frame.width, frame.height);
+    encode_with(frame, transfer, exposure_ev,
+                [&](std::size_t i, std::size_t channel, std::uint8_t byte) {
+                    image.rgb[3 * i + channel] = byte;
+                });
     return image;
+}
+
+void encode(const Framebuffer& frame, Transfer transfer, double exposure_ev, PixelBuffer& into) {
+    into.rgba.assign(into.rgba.size(), 0xff000000u);
+    encode_with(frame, transfer, exposure_ev,
+                [&](std::size_t i, std::size_t channel, std::uint8_t byte) {
+                    into.rgba[i] |= std::uint32_t(byte) << (8 * channel);
+                });
 }
 
 }  // namespace scanshade

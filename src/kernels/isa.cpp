@@ -1,23 +1,41 @@
 #include "scanshade/kernels/isa.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <hwy/targets.h>
+
+#include <cctype>
 
 #include "scanshade/base/error.hpp"
 
 namespace scanshade {
 
+namespace {
+
+/// Highway's name in the spelling of --isa.
+std::string name_of(std::int64_t target) {
+    std::string name = hwy::TargetName(target);
+    if (name == "EMU128") return "scalar";
+    for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return name;
+}
+
+}  // namespace
+
 std::vector<std::string> instruction_sets() {
     std::vector<std::string> names;
     for (const std::int64_t target : hwy::SupportedAndGeneratedTargets())
-        names.emplace_back(hwy::TargetName(target));
+        names.push_back(name_of(target));
     return names;
 }
 
 void use_instruction_set(const std::string& name) {
     if (name.empty()) return hwy::SetSupportedTargetsForTest(0);
     for (const std::int64_t target : hwy::SupportedAndGeneratedTargets())
-        if (name == hwy::TargetName(target)) return hwy::SetSupportedTargetsForTest(target);
-    throw Error(Errc::usage, "this machine does not run the instruction set '" + name + "'");
+        if (name == name_of(target)) return hwy::SetSupportedTargetsForTest(target);
+    throw Error(Errc::usage,
+                fmt::format("this machine does not run the instruction set '{}'; it runs {}", name,
+                            fmt::join(instruction_sets(), ", ")));
 }
 
 }  // namespace scanshade

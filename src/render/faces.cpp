@@ -10,23 +10,22 @@ std::span<const std::uint32_t> face_vertices(const Mesh& mesh, std::size_t face)
     return std::span(mesh.corner).subspan(mesh.face_begin[face], mesh.corner_count(face));
 }
 
-struct Outcodes {
-    std::uint8_t all = 0xff, any = 0;
-};
-
-Outcodes outcodes(const VertexFrame& vertices, std::span<const std::uint32_t> corners) {
-    Outcodes codes;
-    for (const std::uint32_t v : corners) {
-        codes.all &= vertices.outcode[v];
-        codes.any |= vertices.outcode[v];
+void load_corners(const Frame& frame, DrawnFace& face) {
+    face.state.clear();
+    face.outside = 0;
+    std::uint8_t all = 0xff;
+    for (const std::uint32_t v : face.vertex) {
+        face.state.push_back(frame.vertex(face.object, v));
+        face.outside |= face.state.back().outcode;
+        all &= face.state.back().outcode;
     }
-    return codes;
+    face.empty = all != 0;
 }
 
 /// A corner between near and far, wherever it is on the picture.
-PictureCorner picture_corner(const View& view, const VertexFrame& vertices, std::uint32_t v) {
-    if (vertices.outcode[v] == 0) return {double(vertices.point[v].x), double(vertices.point[v].y)};
-    const ClipVertex& c = vertices.clip[v];
+PictureCorner picture_corner(const View& view, const VertexState& vertex) {
+    if (vertex.outcode == 0) return {double(vertex.point.x), double(vertex.point.y)};
+    const ClipVertex& c = vertex.clip;
     const auto to_grid = [&](float x, int size) {
         return std::nearbyint(double(x) / double(c.w) * subpixels) + size * (subpixels / 2);
     };
@@ -64,96 +63,124 @@ double polygon_area(const std::vector<PictureCorner>& p) {
     return sum;
 }
 
+}  // namespace
+
 /// Cofactors of the matrix whose rows are the corners (x, y, w).
-HomogeneousEdges homogeneous_edges(const ClipVertex* v[3], bool& positive) {
+HomogeneousEdges homogeneous_edges(const ClipVertex* const (&v)[3]) {
     HomogeneousEdges e{};
-    double determinant = 0;
     for (int i = 0; i < 3; ++i) {
         const ClipVertex &p = *v[(i + 1) % 3], &q = *v[(i + 2) % 3];
         e.a[i] = double(p.y) * double(q.w) - double(p.w) * double(q.y);
         e.b[i] = double(p.w) * double(q.x) - double(p.x) * double(q.w);
         e.c[i] = double(p.x) * double(q.y) - double(p.y) * double(q.x);
-        if (i == 0)
-            determinant =
-                e.a[0] * double(v[0]->x) + e.b[0] * double(v[0]->y) + e.c[0] * double(v[0]->w);
     }
-    positive = determinant > 0;
-    if (!positive)
+    const double determinant =
+        e.a[0] * double(v[0]->x) + e.b[0] * double(v[0]->y) + e.c[0] * double(v[0]->w);
+    e.positive = determinant > 0;
+    if (!e.positive)
         for (int i = 0; i < 3; ++i) e.a[i] = -e.a[i], e.b[i] = -e.b[i], e.c[i] = -e.c[i];
     // Σ λ_i w_i = |determinant| and Σ λ_i is that over w of the point.
     e.sum_to_inv_w = 1 / std::abs(determinant);
     return e;
 }
 
-}  // namespace
-
-std::size_t object_of(const RenderPlan& plan, std::uint32_t triangle) {
-    const auto after = std::upper_bound(
-        plan.objects.begin(), plan.objects.end(), triangle,
-        [](std::uint32_t t, const ObjectPlan& object) { return t < object.first_triangle; });
-    return static_cast<std::size_t>(after - plan.objects.begin()) - 1;
-}
-
 bool drawn_whole(const Frame& frame, std::size_t object, std::size_t face) {
-    const VertexFrame& vertices = frame.vertices[object];
     std::vector<PictureCorner> corner;
     for (const std::uint32_t v : face_vertices(*frame.scene.objects[object].mesh, face)) {
-        if ((vertices.outcode[v] & out_depth) != 0) return false;
-        corner.push_back(picture_corner(frame.view, vertices, v));
+        const VertexState vertex = frame.vertex(object, v);
+        if ((vertex.outcode & out_depth) != 0) return false;
+        corner.push_back(picture_corner(frame.view, vertex));
     }
     return strictly_convex(corner);
 }
 
+SampleBox sample_box(std::span<const SnappedPoint> points, SampleOffset sample, int width,
+                     int height) {
+    SnappedPoint low = points[0], high = points[0];
+    for (const SnappedPoint& p : points) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    const auto first = [](int x, int s) { return (x - s + subpixels - 1) >> subpixel_bits; };
+    const auto last = [](int x, int s) { return (x - s) >> subpixel_bits; };
+    return {std::max(first(low.x, sample.x), 0), std::max(first(low.y, sample.y), 0),
+            std::min(last(high.x, sample.x), width - 1),
+            std::min(last(high.y, sample.y), height - 1)};
+}
+
+namespace {
+
+/// Twice the area, the order of corners, and the depth's plane where it serves.
+bool measure_triangle(const Frame& frame, DrawnFace& face) {
+    for (int i = 0; i < 3; ++i) face.point[i] = face.state[i].point;
+    const std::int64_t area = twice_area(face.point);
+    face.empty = area == 0;
+    if (face.empty) return false;
+    face.inv_area = 1 / static_cast<double>(area);
+    std::sort(std::begin(face.order), std::end(face.order), [&](std::uint8_t a, std::uint8_t b) {
+        const SnappedPoint &p = face.point[a], &q = face.point[b];
+        return p.y != q.y ? p.y < q.y : p.x < q.x;
+    });
+    face.box = sample_box(face.point, frame.sample, frame.view.width, frame.view.height);
+    if (face.box.empty()) return area > 0;
+
+    double px[3], py[3], z[3];
+    for (int i = 0; i < 3; ++i) {
+        const std::uint8_t corner = face.order[i];
+        px[i] = face.point[corner].x, py[i] = face.point[corner].y;
+        z[i] = double(face.state[corner].depth);
+    }
+    const int ox = face.box.origin_x(), oy = face.box.origin_y();
+    const ScreenPlane<double> plane =
+        plane_through(px, py, z, ox * 256.0 + frame.sample.x, oy * 256.0 + frame.sample.y);
+    face.depth = {float(plane.c), float(plane.x), float(plane.y)};
+    face.planar =
+        planes_serve(face.depth, float(std::min({z[0], z[1], z[2]})), float(std::abs(area)),
+                     float(face.box.x1 - ox), float(face.box.y1 - oy));
+    return area > 0;
+}
+
+}  // namespace
+
 void describe_triangle(const Frame& frame, std::size_t object, std::uint32_t triangle,
                        DrawnFace& out) {
     const Mesh& mesh = *frame.scene.objects[object].mesh;
-    const VertexFrame& vertices = frame.vertices[object];
     out.object = object;
     out.face = mesh.triangle_face[triangle];
     out.id = frame.plan.objects[object].first_triangle + triangle;
     out.vertex = mesh.triangle[triangle];
-    const Outcodes codes = outcodes(vertices, out.vertex);
-    out.outside = codes.any;
-    out.empty = codes.all != 0;
-    out.carrier = codes.any == 0 ? Carrier::triangle : Carrier::clipped;
+    load_corners(frame, out);
+    out.carrier = out.outside == 0 ? Carrier::triangle : Carrier::clipped;
+    out.planar = false;
     if (out.empty) return;
     bool positive;
     if (out.carrier == Carrier::triangle) {
-        for (int i = 0; i < 3; ++i) out.point[i] = vertices.point[out.vertex[i]];
-        const std::int64_t area = twice_area(out.point);
-        out.empty = area == 0;
-        positive = area > 0;
-        out.inv_area = 1 / static_cast<double>(area);
-        std::sort(std::begin(out.order), std::end(out.order), [&](std::uint8_t a, std::uint8_t b) {
-            const SnappedPoint &p = out.point[a], &q = out.point[b];
-            return p.y != q.y ? p.y < q.y : p.x < q.x;
-        });
+        positive = measure_triangle(frame, out);
     } else {
         const ClipVertex* v[3];
-        for (int i = 0; i < 3; ++i) v[i] = &vertices.clip[out.vertex[i]];
-        out.edges = homogeneous_edges(v, positive);
+        for (std::size_t i = 0; i < 3; ++i) v[i] = &out.state[i].clip;
+        out.edges = homogeneous_edges(v);
+        positive = out.edges.positive;
         out.empty = !std::isfinite(out.edges.sum_to_inv_w);
     }
     // Counter-clockwise is front; on the picture, y down, that has a negative area.
-    out.back = positive != vertices.mirrored;
+    out.back = positive != frame.object_views[object].mirrored;
 }
 
 void describe_whole(const Frame& frame, std::size_t object, std::size_t face, DrawnFace& out) {
     const Mesh& mesh = *frame.scene.objects[object].mesh;
-    const VertexFrame& vertices = frame.vertices[object];
     out.object = object;
     out.face = face;
     out.id = frame.plan.objects[object].first_triangle + mesh.face_first_triangle[face];
     out.vertex = face_vertices(mesh, face);
-    const Outcodes codes = outcodes(vertices, out.vertex);
-    out.outside = codes.any;
-    out.empty = codes.all != 0;
+    load_corners(frame, out);
     out.carrier = Carrier::polygon;
+    out.planar = false;
     out.corner.clear();
-    for (const std::uint32_t v : out.vertex)
-        out.corner.push_back(picture_corner(frame.view, vertices, v));
+    for (const VertexState& vertex : out.state)
+        out.corner.push_back(picture_corner(frame.view, vertex));
     const bool positive = polygon_area(out.corner) > 0;
-    out.back = positive != vertices.mirrored;
+    out.back = positive != frame.object_views[object].mirrored;
 }
 
 void describe_drawn(const Frame& frame, std::uint32_t id, DrawnFace& out) {

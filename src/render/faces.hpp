@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "kernels/screen_plane.hpp"
 #include "render/frame.hpp"
 
 namespace scanshade {
@@ -27,8 +28,23 @@ struct PictureCorner {
 /// 1/w times the same factor. Corners behind the eye do no harm: nothing is divided by their w.
 struct HomogeneousEdges {
     double a[3], b[3], c[3];  // signed so that λ ≥ 0 inside
-    double sum_to_inv_w;      // 1/w = Σλ · this
+    double sum_to_inv_w;      // 1/w = Σλ · this; not finite for a triangle without area
+    bool positive;            // the triangle runs clockwise on the picture (y down)
 };
+HomogeneousEdges homogeneous_edges(const ClipVertex* const (&v)[3]);
+
+/// Samples of a picture that a box may cover, both ends included; empty where x1 < x0 or y1 < y0.
+struct SampleBox {
+    int x0, y0, x1, y1;
+    bool empty() const { return x1 < x0 || y1 < y0; }
+    /// Planes count pixels from here: the corner of the block of 4 × 4 that the box begins in.
+    int origin_x() const { return x0 & ~3; }
+    int origin_y() const { return y0 & ~3; }
+};
+
+/// The samples of a width × height picture within the box around `points`.
+SampleBox sample_box(std::span<const SnappedPoint> points, SampleOffset sample, int width,
+                     int height);
 
 /// One drawn polygon: a triangle of the mesh, or in `edges` a whole face. A pure function of the
 /// frame's vertices, so visibility and shading both make it anew and nothing is stored.
@@ -37,14 +53,20 @@ struct DrawnFace {
     std::size_t object = 0, face = 0;
     Carrier carrier = Carrier::triangle;
     std::span<const std::uint32_t> vertex;  // corners in the mesh
+    std::vector<VertexState> state;         // of the corners
     std::uint8_t outside = 0;               // outcodes of the corners or-ed
     bool back = false;                      // seen from behind
     bool empty = false;                     // outside the view, or no area once snapped
 
-    SnappedPoint point[3];              // triangle
-    double inv_area = 0;                // triangle: 1/2A, of either sign
-    std::uint8_t order[3] = {0, 1, 2};  // triangle: corners from the top, the order of sums:
-                                        // coincident triangles have equal depth to the bit
+    // triangle
+    SnappedPoint point[3];
+    SampleBox box;
+    double inv_area = 0;                // 1/2A, of either sign
+    std::uint8_t order[3] = {0, 1, 2};  // corners from the top, the order of sums: coincident
+                                        // triangles have equal depth to the bit
+    bool planar = false;                // depth is a plane, else Σ λ_i z_i
+    ScreenPlane<float> depth{};         // of a planar triangle, from the box's origin
+
     HomogeneousEdges edges{};           // clipped
     std::vector<PictureCorner> corner;  // polygon
 };

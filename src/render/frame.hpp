@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "kernels/engine_data.hpp"
 #include "render/transform.hpp"
 #include "scanshade/image/framebuffer.hpp"
 #include "scanshade/kernels/span.hpp"
@@ -20,30 +21,47 @@ struct LitPoints {
     std::vector<T> unreflecting[3];  // [key] with albedo 0; empty where nothing is textured
 };
 
+class Engine;
+
 /// What a stage reads and writes.
 struct Frame {
-    Frame(const Scene& normalised_scene, const RenderPlan& render_plan, Framebuffer& into)
-        : scene(normalised_scene), plan(render_plan), target(into) {}
+    Frame(const Scene& normalised_scene, const RenderPlan& render_plan, Framebuffer& into);
 
     const Scene& scene;  // normalised
     const RenderPlan& plan;
-    View view{};
+    View view;
     Lighting<double> lighting, unlit;  // the second: what an unlit material sees
 
-    std::vector<VertexFrame> vertices;  // [object]
+    std::vector<ObjectView> object_views;            // [object]
+    std::vector<std::vector<VertexState>> vertices;  // [object][vertex]; empty: made when asked
 
     // one sample a pixel, for the sample of this pass
     SampleOffset sample;
+    bool first_sample = true;
     std::vector<float> depth;       // 0: nothing there
     std::vector<std::uint32_t> id;  // Framebuffer::no_triangle: none
 
     std::vector<LitPoints<float>> lit_f32;  // [object]
     std::vector<LitPoints<double>> lit_f64;
 
+    VertexState vertex(std::size_t object, std::uint32_t v) const {
+        if (vertices.empty())
+            return transform_vertex(*scene.objects[object].mesh, v, object_views[object], view);
+        return vertices[object][v];
+    }
+
+    // the vector renderer's
+    Engine* engine = nullptr;
+    PictureView picture{};
+    PlanSavings saved{};
+
     Framebuffer& target;
     EventCounts events;
     std::uint64_t items = 0;  // what the running stage worked on
 };
+
+/// Fills frame.vertices.
+void transform_vertices(Frame& frame);
 
 /// The object that a triangle of the whole scene belongs to. O(log objects).
 std::size_t object_of(const RenderPlan& plan, std::uint32_t triangle);

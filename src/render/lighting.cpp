@@ -53,6 +53,7 @@ LightTerm<double> make_term(const Light& light) {
     assign({light.attenuation.x, light.attenuation.y / s, light.attenuation.z / (s * s)},
            term.attenuation);
     term.radius = light.radius.value_or(0) * s;
+    term.touches = true;
     return term;
 }
 
@@ -104,6 +105,8 @@ Lighting<float> to_float(const Lighting<double>& lighting) {
         to.cos_cutoff = static_cast<float>(from.cos_cutoff);
         to.inv_penumbra = static_cast<float>(from.inv_penumbra);
         to.emission = from.emission;
+        to.constant = from.constant;
+        to.touches = from.touches;
         out.lights.push_back(to);
     }
     return out;

@@ -6,8 +6,21 @@
 
 #include "render/stages.hpp"
 #include "scanshade/base/error.hpp"
+#include "scanshade/scene/clusters.hpp"
 
 namespace scanshade {
+
+bool is_matt(const ResolvedMaterial& material) {
+    if (material.unlit) return false;
+    const auto params = material.brdf->params;
+    for (std::size_t i = 0; i < params.size(); ++i)
+        if (params[i].role == ParamRole::specular) {
+            const auto& value = material.params.value[i];
+            return value[0] == 0 && value[1] == 0 && value[2] == 0;
+        }
+    return false;
+}
+
 namespace {
 
 Shading shading_of(const Object& object, const Settings& settings) {
@@ -23,6 +36,8 @@ void plan_objects(const Scene& scene, const Settings& settings, RenderPlan& plan
             {shading, static_cast<std::uint32_t>(plan.triangles), object.materials});
         plan.triangles += object.mesh->triangle_count();
         plan.vertices += object.mesh->vertex_count();
+        if (plan.renderer == RendererKind::simd)
+            plan.clusters += clusters_of(*object.mesh).clusters.size();
         plan.face_light |= shading == Shading::flat;
         plan.vertex_light |= shading == Shading::gouraud;
     }
@@ -35,15 +50,36 @@ void plan_materials(const Scene& scene, const Settings& settings, RenderPlan& pl
     std::vector<bool> used(scene.materials.size());
     for (const Object& object : scene.objects)
         for (const std::uint32_t material : object.materials) used[material] = true;
-    bool any_lit = false;
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-        const Material& material = scene.materials[i];
-        plan.materials.push_back(resolve_material(material, settings.brdf, settings.set));
+        plan.materials.push_back(resolve_material(scene.materials[i], settings.brdf, settings.set));
         if (!used[i]) continue;
-        plan.texture |= material.map_kd != nullptr;
-        any_lit |= !plan.materials.back().unlit;
+        const ResolvedMaterial& material = plan.materials.back();
+        ++plan.used_materials;
+        plan.unlit_materials += material.unlit;
+        plan.textured_materials += scene.materials[i].map_kd != nullptr;
+        plan.matt_materials += is_matt(material);
+        plan.position_read |= !material.unlit && !material.brdf->ignores_view;
     }
-    plan.light_count = any_lit ? scene.lights.size() : 0;
+    plan.texture = plan.textured_materials > 0;
+}
+
+void plan_lights(const Scene& scene, RenderPlan& plan) {
+    if (plan.unlit_materials == plan.used_materials) return;
+    plan.light_count = scene.lights.size();
+    for (const Light& light : scene.lights) {
+        const bool placed = light.kind != LightKind::directional;
+        plan.dark_lights += light.intensity == glm::dvec3(0);
+        plan.narrow_lights += light.kind == LightKind::spot || light.kind == LightKind::cosine;
+        plan.constant_lights += !placed || (light.attenuation.y == 0 && light.attenuation.z == 0);
+        plan.position_read |= placed;
+    }
+}
+
+void plan_rows(const Settings& settings, RenderPlan& plan) {
+    if (settings.no_plan || plan.renderer != RendererKind::simd) return;
+    for (const PlanRowInfo& info : all_plan_rows())
+        plan.rows[static_cast<std::size_t>(info.row)] =
+            info.applies(plan) && settings.kept_rows.find(info.name) == settings.kept_rows.end();
 }
 
 }  // namespace
@@ -55,6 +91,11 @@ RenderPlan make_plan(const Scene& scene, const Settings& settings) {
     plan.samples_side = static_cast<int>(std::lround(std::sqrt(settings.samples)));
     plan.interpolation = settings.interpolation;
     plan.renderer = settings.renderer;
+    plan.isa = settings.isa;
+    plan.threads = settings.threads;
+    plan.tile = settings.tile;
+    plan.transfer = settings.transfer;
+    plan.exposure_ev = settings.exposure_ev;
     plan.cull = settings.cull;
     for (int c = 0; c < 3; ++c) plan.background[c] = static_cast<float>(settings.background[c]);
     const Bounds bounds = scene.bounds();
@@ -63,13 +104,21 @@ RenderPlan make_plan(const Scene& scene, const Settings& settings) {
     plan.depth = depth_range(plan.camera, bounds);
     plan_objects(scene, settings, plan);
     plan_materials(scene, settings, plan);
+    plan_lights(scene, plan);
+    plan_rows(settings, plan);
     return plan;
 }
 
 std::vector<PlanLine> explain(const RenderPlan& plan) {
     std::vector<PlanLine> lines;
-    for (const Stage& stage : all_stages())
+    for (const Stage& stage : stages_of(plan.renderer))
         lines.push_back({stage.name, stage.needed(plan), stage.reason(plan)});
+    if (plan.renderer != RendererKind::simd) return lines;
+    for (const PlanRowInfo& info : all_plan_rows()) {
+        const bool asked = info.applies(plan) && !plan.leaves_out(info.row);
+        lines.push_back(
+            {info.name, !plan.leaves_out(info.row), asked ? "asked for" : info.reason(plan)});
+    }
     return lines;
 }
 

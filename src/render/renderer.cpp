@@ -1,22 +1,31 @@
 #include "scanshade/render/renderer.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstring>
 
+#include "render/engine.hpp"
 #include "render/lighting.hpp"
 #include "render/stages.hpp"
 #include "scanshade/base/timer.hpp"
+#include "scanshade/kernels/isa.hpp"
 
 namespace scanshade {
 
 struct Renderer::State {
     Scene scene;  // normalised
     RenderPlan plan;
+    std::unique_ptr<Engine> engine;  // simd
+    Framebuffer planes;              // of draw(PixelBuffer&), where bytes are not written at once
 };
 
 Renderer::Renderer(const Scene& scene, const Settings& settings)
     : state_(std::make_unique<State>()) {
     state_->scene = normalised(scene);
     state_->plan = make_plan(state_->scene, settings);
+    if (!settings.isa.empty()) use_instruction_set(settings.isa);
+    if (state_->plan.renderer == RendererKind::simd)
+        state_->engine = std::make_unique<Engine>(state_->scene, state_->plan);
 }
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
@@ -33,7 +42,7 @@ SampleOffset grid_sample(int i, int j, int side) {
 }
 
 void run_stage(std::size_t number, Frame& frame, FrameStats& stats) {
-    const Stage& stage = all_stages()[number];
+    const Stage& stage = stages_of(frame.plan.renderer)[number];
     if (!stage.needed(frame.plan)) return;
     StageStats& row = stats.stages[number];
     frame.items = 0;
@@ -44,9 +53,11 @@ void run_stage(std::size_t number, Frame& frame, FrameStats& stats) {
     row.items += frame.items;
 }
 
-/// The stages between `transform` and `average` once for every sample, in rows of samples.
+/// Stages of each sample once for every sample, in rows of samples; the others once, before or after.
 void run_stages(Frame& frame, FrameStats& stats) {
-    const auto stages = all_stages();
+    const auto stages = stages_of(frame.plan.renderer);
+    for (const Stage& stage : stages)
+        stats.stages.push_back({stage.name, false, 0, 0, stage.item_name});
     const auto is_each = [](const Stage& stage) { return stage.each_sample; };
     const auto first = std::find_if(stages.begin(), stages.end(), is_each);
     const auto last = std::find_if_not(first, stages.end(), is_each);
@@ -59,15 +70,35 @@ void run_stages(Frame& frame, FrameStats& stats) {
     for (int j = 0; j < side; ++j)
         for (int i = 0; i < side; ++i) {
             frame.sample = grid_sample(i, j, side);
+            frame.first_sample = i == 0 && j == 0;
             run(first, last);
-            stats.covered_samples += static_cast<std::uint64_t>(
-                std::count_if(frame.id.begin(), frame.id.end(),
-                              [](std::uint32_t id) { return id != Framebuffer::no_triangle; }));
-            if (i > 0 || j > 0) continue;
-            frame.target.depth = frame.depth;
-            frame.target.id = frame.id;
         }
     run(last, stages.end());
+    for (const StageStats& row : stats.stages)
+        if (row.name == "shade") stats.covered_samples = row.items;
+    stats.events = frame.events;
+    stats.saved = frame.saved;
+}
+
+std::uint32_t background_bytes(const RenderPlan& plan) {
+    Framebuffer pixel(1, 1);
+    pixel.r[0] = plan.background[0], pixel.g[0] = plan.background[1],
+    pixel.b[0] = plan.background[2];
+    const Image image = encode(pixel, plan.transfer, plan.exposure_ev);
+    std::uint32_t rgba = 0xff000000u;
+    std::memcpy(&rgba, image.rgb.data(), 3);
+    return rgba;
+}
+
+PictureView picture_view(const RenderPlan& plan) {
+    PictureView view{};
+    view.width = plan.width, view.height = plan.height;
+    view.scale = static_cast<float>(std::exp2(plan.exposure_ev));
+    view.srgb = plan.transfer == Transfer::srgb;
+    view.srgb_start = srgb_byte_starts().data();
+    std::copy(plan.background.begin(), plan.background.end(), view.background);
+    view.background_rgba = background_bytes(plan);
+    return view;
 }
 
 }  // namespace
@@ -80,23 +111,45 @@ FrameStats Renderer::draw(Framebuffer& target) {
         std::fill(channel->begin(), channel->end(), 0.0f);
 
     FrameStats stats;
-    for (const Stage& stage : all_stages())
-        stats.stages.push_back({stage.name, false, 0, 0, stage.item_name});
     const Timer timer;
     Frame frame(state_->scene, plan, target);
-    frame.view = make_view(plan.camera, plan.depth, plan.width, plan.height);
-    frame.lighting = make_lighting(state_->scene, frame.view);
-    frame.unlit = make_unlit_lighting(frame.view);
+    frame.engine = state_->engine.get();
+    frame.picture = picture_view(plan);
+    frame.picture.r = target.r.data();
+    frame.picture.g = target.g.data();
+    frame.picture.b = target.b.data();
+    frame.picture.depth = target.depth.data();
+    frame.picture.id = target.id.data();
     run_stages(frame, stats);
     stats.frame_ms = timer.ms();
-    stats.events = frame.events;
+    return stats;
+}
+
+FrameStats Renderer::draw(PixelBuffer& pixels) {
+    const RenderPlan& plan = state_->plan;
+    if (pixels.width != plan.width || pixels.height != plan.height)
+        pixels = PixelBuffer(plan.width, plan.height);
+    FrameStats stats;
+    const Timer timer;
+    if (state_->engine && plan.samples_side == 1) {
+        Framebuffer none;
+        Frame frame(state_->scene, plan, none);
+        frame.engine = state_->engine.get();
+        frame.picture = picture_view(plan);
+        frame.picture.rgba = pixels.rgba.data();
+        run_stages(frame, stats);
+    } else {
+        stats = draw(state_->planes);
+        encode(state_->planes, plan.transfer, plan.exposure_ev, pixels);
+    }
+    stats.frame_ms = timer.ms();
     return stats;
 }
 
 Image render_image(const Scene& scene, const Settings& settings) {
-    Framebuffer frame;
-    Renderer(scene, settings).draw(frame);
-    return encode(frame, settings.transfer, settings.exposure_ev);
+    PixelBuffer pixels;
+    Renderer(scene, settings).draw(pixels);
+    return to_image(pixels);
 }
 
 }  // namespace scanshade

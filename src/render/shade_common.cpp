@@ -17,12 +17,12 @@ bool patch_corners(const Frame& frame, const DrawnFace& face, std::uint32_t (&ve
     const Mesh& mesh = *frame.scene.objects[face.object].mesh;
     if (frame.plan.interpolation != Interpolation::patch || mesh.corner_count(face.face) != 4)
         return false;
-    const VertexFrame& vertices = frame.vertices[face.object];
     constexpr std::uint32_t order[4] = {0, 1, 3, 2};
     for (int i = 0; i < 4; ++i) {
         vertex[i] = mesh.corner[mesh.face_begin[face.face] + order[i]];
-        if (vertices.outcode[vertex[i]] != 0) return false;
-        corner[i] = {double(vertices.point[vertex[i]].x), double(vertices.point[vertex[i]].y)};
+        const VertexState state = frame.vertex(face.object, vertex[i]);
+        if (state.outcode != 0) return false;
+        corner[i] = {double(state.point.x), double(state.point.y)};
     }
     return drawn_whole(frame, face.object, face.face);
 }

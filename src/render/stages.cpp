@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "render/engine.hpp"
 #include "render/lighting.hpp"
 #include "render/shade.hpp"
 #include "render/visibility.hpp"
@@ -34,11 +35,8 @@ void by_number(Frame& frame, F32 f32, F64 f64) {
 }
 
 void transform(Frame& frame) {
-    frame.vertices.resize(frame.scene.objects.size());
-    for (std::size_t i = 0; i < frame.scene.objects.size(); ++i) {
-        transform_vertices(frame.scene.objects[i], frame.view, frame.vertices[i]);
-        frame.items += frame.vertices[i].clip.size();
-    }
+    transform_vertices(frame);
+    for (const auto& vertices : frame.vertices) frame.items += vertices.size();
 }
 
 template <Shading shading>
@@ -49,6 +47,13 @@ void light(Frame& frame) {
 }
 
 void shade(Frame& frame) { by_number(frame, shade_samples<float>, shade_samples<double>); }
+
+void visibility(Frame& frame) {
+    find_visible(frame);
+    if (!frame.first_sample) return;
+    frame.target.depth = frame.depth;
+    frame.target.id = frame.id;
+}
 
 /// Background where nothing was drawn; the colour of a sample starts at 0 otherwise.
 void background(Frame& frame) {
@@ -69,12 +74,24 @@ void average(Frame& frame) {
     frame.items += frame.target.r.size();
 }
 
-constexpr Stage stages[] = {
+std::string triangles_reason(const RenderPlan& plan) {
+    return fmt::format("{} triangles", plan.triangles);
+}
+std::string samples_reason(const RenderPlan& plan) {
+    return fmt::format("visible samples only; {} lights", plan.light_count);
+}
+std::string average_reason(const RenderPlan& plan) {
+    return plan.samples_side > 1 ? fmt::format("{0} x {0} samples a pixel", plan.samples_side)
+                                 : std::string("one sample a pixel is its own mean");
+}
+bool several_samples(const RenderPlan& plan) { return plan.samples_side > 1; }
+bool lights_points(const RenderPlan& plan) { return plan.vertex_light || plan.face_light; }
+std::string background_reason(const RenderPlan&) { return "samples without a surface"; }
+
+constexpr Stage scalar_stages[] = {
     {"transform", "vertices", false, has_faces,
      [](const RenderPlan& plan) { return fmt::format("{} vertices", plan.vertices); }, transform},
-    {"visibility", "polygons", true, always,
-     [](const RenderPlan& plan) { return fmt::format("{} triangles", plan.triangles); },
-     find_visible},
+    {"visibility", "polygons", true, always, triangles_reason, visibility},
     {"light-faces", "faces", true, [](const RenderPlan& plan) { return plan.face_light; },
      [](const RenderPlan& plan) {
          return count_reason(plan, Shading::flat, "visible faces are lit once");
@@ -85,23 +102,47 @@ constexpr Stage stages[] = {
          return count_reason(plan, Shading::gouraud, "vertices of visible faces are lit once");
      },
      light<Shading::gouraud>},
-    {"shade", "samples", true, has_faces,
+    {"shade", "samples", true, has_faces, samples_reason, shade},
+    {"background", "samples", true, always, background_reason, background},
+    {"average", "pixels", false, several_samples, average_reason, average},
+};
+
+constexpr Stage simd_stages[] = {
+    {"set-up", "triangles", true, has_faces,
      [](const RenderPlan& plan) {
-         return fmt::format("visible samples only; {} lights", plan.light_count);
+         return fmt::format("{} triangles in {} clusters", plan.triangles, plan.clusters);
      },
-     shade},
-    {"background", "samples", true, always,
-     [](const RenderPlan&) { return std::string("samples without a surface"); }, background},
-    {"average", "pixels", false, [](const RenderPlan& plan) { return plan.samples_side > 1; },
+     [](Frame& frame) { frame.engine->set_up(frame); }},
+    {"records", "polygons", true, has_faces,
+     [](const RenderPlan&) {
+         return std::string("large, clipped and needle-shaped triangles, polygons drawn whole");
+     },
+     [](Frame& frame) { frame.engine->make_records(frame); }},
+    {"raster", "tiles", true, lights_points,
      [](const RenderPlan& plan) {
-         return plan.samples_side > 1 ? fmt::format("{0} x {0} samples a pixel", plan.samples_side)
-                                      : std::string("one sample a pixel is its own mean");
+         return std::string(lights_points(plan) ? "all tiles, so that light knows what is seen"
+                                                : "done tile by tile with the shading");
      },
-     average},
+     [](Frame& frame) { frame.engine->raster(frame); }},
+    {"light-points", "points", true, lights_points,
+     [](const RenderPlan& plan) {
+         return std::string(lights_points(plan) ? "vertices and faces are lit once"
+                                                : "light is evaluated at samples");
+     },
+     [](Frame& frame) { frame.engine->light_points(frame); }},
+    {"shade", "samples", true, has_faces, samples_reason,
+     [](Frame& frame) { frame.engine->shade(frame); }},
+    {"background", "tiles", true, always,
+     [](const RenderPlan&) { return std::string("tiles without a surface"); },
+     [](Frame& frame) { frame.engine->draw_background(frame); }},
+    {"average", "pixels", false, several_samples, average_reason, average},
 };
 
 }  // namespace
 
-std::span<const Stage> all_stages() { return stages; }
+std::span<const Stage> stages_of(RendererKind renderer) {
+    if (renderer == RendererKind::simd) return simd_stages;
+    return scalar_stages;
+}
 
 }  // namespace scanshade

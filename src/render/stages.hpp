@@ -18,7 +18,7 @@ struct Stage {
     void (*run)(Frame&);
 };
 
-/// In the order in which they run.
-std::span<const Stage> all_stages();
+/// Those of a renderer, in the order in which they run.
+std::span<const Stage> stages_of(RendererKind renderer);
 
 }  // namespace scanshade

@@ -40,6 +40,7 @@ struct Batch {
     std::vector<T> position[3], normal[3], albedo[3], radiance[3];
     std::vector<std::size_t> target;  // where each result goes
     bool textured = false;            // albedo is filled
+    bool vectors = false;             // by the vector kernel, not its scalar twin
 
     std::size_t size() const { return target.size(); }
 
@@ -61,6 +62,14 @@ struct Batch {
         for (int c = 0; c < 3; ++c) albedo[c].push_back(T(a[c]));
     }
 
+    /// Takes the padding away that illuminate has added, to light the same points again.
+    void unpad() {
+        for (int c = 0; c < 3; ++c) {
+            position[c].resize(size());
+            normal[c].resize(size());
+        }
+    }
+
     /// radiance[·][i] for each point. The padding repeats the last point.
     void illuminate(const ResolvedMaterial& material, const Lighting<T>& lighting,
                     EventCounts& events) {
@@ -80,7 +89,8 @@ struct Batch {
         span.count = size();
         SpanEvents seen;
         if constexpr (std::is_same_v<T, float>)
-            seen = material.brdf->illuminate_f32(span, lighting, to_float(material.params));
+            seen = (vectors ? material.brdf->illuminate_simd : material.brdf->illuminate_f32)(
+                span, lighting, to_float(material.params));
         else
             seen = material.brdf->illuminate_f64(span, lighting, material.params);
         events.add(Event::light_at_surface, seen.light_at_surface);

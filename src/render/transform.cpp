@@ -50,17 +50,14 @@ View make_view(const Camera& camera, const DepthRange& depth, int width, int hei
     return view;
 }
 
-namespace {
-
-using ClipMatrix = std::array<std::array<float, 4>, 4>;
-
-ClipMatrix clip_matrix(const Object& object, const View& view) {
+ObjectView make_object_view(const Object& object, const View& view) {
     const glm::dmat3 linear = view.rotation * glm::dmat3(object.to_world);
     const glm::dvec3 origin = view.rotation * (glm::dmat3(object.to_world) * object.mesh->origin +
                                                glm::dvec3(object.to_world[3]) - view.eye);
-    // Rows x, y, d, w of a vertex in the mesh's own units; the eye looks down −z.
+    // From the mesh's own units; the eye looks down −z.
     const double scale[3] = {view.pixels_per_unit, -view.pixels_per_unit, -1};
-    ClipMatrix m{};
+    ObjectView out{};
+    auto& m = out.to_clip;
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column)
             m[row][column] =
@@ -71,32 +68,23 @@ ClipMatrix clip_matrix(const Object& object, const View& view) {
         m[3] = {0, 0, 0, 1};
     else
         m[3] = m[2];
-    return m;
+    out.mirrored = glm::determinant(glm::dmat3(object.to_world)) < 0;
+    return out;
 }
 
-}  // namespace
-
-void transform_vertices(const Object& object, const View& view, VertexFrame& out) {
-    const Mesh& mesh = *object.mesh;
-    const std::size_t count = mesh.vertex_count();
-    const ClipMatrix m = clip_matrix(object, view);
-    out.mirrored = glm::determinant(glm::dmat3(object.to_world)) < 0;
-    out.clip.resize(count);
-    out.point.resize(count);
-    out.depth.resize(count);
-    out.outcode.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const float x = mesh.x[i], y = mesh.y[i], z = mesh.z[i];
-        const auto row = [&](int r) {
-            return ((m[r][0] * x + m[r][1] * y) + m[r][2] * z) + m[r][3];
-        };
-        const ClipVertex v = {row(0), row(1), row(2), row(3)};
-        out.clip[i] = v;
-        out.outcode[i] = view.outcode(v);
-        if ((out.outcode[i] & out_depth) != 0) continue;
-        out.depth[i] = view.depth(v);
-        if (out.outcode[i] == 0) out.point[i] = view.snap(v);
-    }
+VertexState transform_vertex(const Mesh& mesh, std::uint32_t vertex, const ObjectView& object,
+                             const View& view) {
+    const float x = mesh.x[vertex], y = mesh.y[vertex], z = mesh.z[vertex];
+    const auto row = [&](int r) {
+        const auto& m = object.to_clip[r];
+        return ((m[0] * x + m[1] * y) + m[2] * z) + m[3];
+    };
+    VertexState out{{row(0), row(1), row(2), row(3)}};
+    out.outcode = view.outcode(out.clip);
+    if ((out.outcode & out_depth) != 0) return out;
+    out.depth = view.depth(out.clip);
+    if (out.outcode == 0) out.point = view.snap(out.clip);
+    return out;
 }
 
 }  // namespace scanshade

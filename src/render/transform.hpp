@@ -54,17 +54,25 @@ struct View {
 
 View make_view(const Camera& camera, const DepthRange& depth, int width, int height);
 
-/// The vertices of one object on the picture.
-struct VertexFrame {
-    std::vector<ClipVertex> clip;
-    std::vector<SnappedPoint> point;  // of vertices with outcode 0
-    std::vector<float> depth;         // of vertices between near and far
-    std::vector<std::uint8_t> outcode;
-    bool mirrored = false;  // the object's matrix turns front faces clockwise
+/// One vertex on the picture.
+struct VertexState {
+    ClipVertex clip;
+    SnappedPoint point{};  // of a vertex with outcode 0
+    float depth = 0;       // of a vertex between near and far
+    std::uint8_t outcode = 0;
 };
 
-/// The matrix is multiplied in double, relative to the camera, and rounded to float once; a vertex
-/// is ((m0 x + m1 y) + m2 z) + m3 in float, not fused: the same bits on every machine.
-void transform_vertices(const Object& object, const View& view, VertexFrame& out);
+/// How one object's vertices get to the picture. The matrix is multiplied in double, relative to
+/// the camera, and rounded to float once; a vertex is ((m0 x + m1 y) + m2 z) + m3 in float, not
+/// fused: the same bits on every machine.
+struct ObjectView {
+    std::array<std::array<float, 4>, 4> to_clip;  // rows x, y, d, w of ClipVertex
+    bool mirrored;                                // the object's matrix turns front faces clockwise
+};
+
+ObjectView make_object_view(const Object& object, const View& view);
+
+VertexState transform_vertex(const Mesh& mesh, std::uint32_t vertex, const ObjectView& object,
+                             const View& view);
 
 }  // namespace scanshade

@@ -13,36 +13,76 @@
 namespace scanshade {
 namespace {
 
-/// Depth at a sample of one face, in float, by the way its values travel.
-float depth_at(const DrawnFace& face, const Frame& frame, SnappedPoint p) {
-    const VertexFrame& vertices = frame.vertices[face.object];
-    if (face.carrier == Carrier::triangle) {
-        float lambda[3];
-        triangle_weights(face, p, lambda);
-        const auto term = [&](int i) {
-            const std::uint8_t corner = face.order[i];
-            return lambda[corner] * vertices.depth[face.vertex[corner]];
-        };
-        return (term(0) + term(1)) + term(2);
+/// Depth of a triangle at a sample.
+float triangle_depth(const DrawnFace& face, SnappedPoint p, SampleOffset sample) {
+    if (face.planar) {
+        const int X = (p.x - sample.x) / subpixels - face.box.origin_x();
+        const int Y = (p.y - sample.y) / subpixels - face.box.origin_y();
+        return plane_value(face.depth, float(X), float(Y));
     }
-    if (face.carrier == Carrier::polygon) {
-        const Place<float> at = polygon_place<float>(face, p);
-        const auto depth = [&](std::uint32_t corner) {
-            return vertices.depth[face.vertex[corner]];
-        };
-        return along_span(along_edge(depth(at.a), depth(at.b), at.a_y, at.b_y, at.y),
-                          along_edge(depth(at.c), depth(at.d), at.c_y, at.d_y, at.y), at.ab_x,
-                          at.cd_x, 0.0f);
-    }
-    double lambda[3];
-    homogeneous_weights(face, frame.view, p, lambda);
-    const double sum = lambda[0] + lambda[1] + lambda[2];
-    if (!frame.view.orthographic)
-        return static_cast<float>(double(frame.view.near) * (sum * face.edges.sum_to_inv_w));
-    double d = 0;
-    for (int i = 0; i < 3; ++i) d += lambda[i] / sum * double(vertices.clip[face.vertex[i]].d);
-    return frame.view.depth({0, 0, static_cast<float>(d), 1});
+    float lambda[3];
+    triangle_weights(face, p, lambda);
+    const auto term = [&](int i) {
+        const std::uint8_t corner = face.order[i];
+        return lambda[corner] * face.state[corner].depth;
+    };
+    return (term(0) + term(1)) + term(2);
 }
+
+/// (C3) of the corners' depths.
+float polygon_depth(const DrawnFace& face, SnappedPoint p) {
+    const Place<float> at = polygon_place<float>(face, p);
+    const auto depth = [&](std::uint32_t corner) { return face.state[corner].depth; };
+    return along_span(along_edge(depth(at.a), depth(at.b), at.a_y, at.b_y, at.y),
+                      along_edge(depth(at.c), depth(at.d), at.c_y, at.d_y, at.y), at.ab_x, at.cd_x,
+                      0.0f);
+}
+
+float clipped_depth(const DrawnFace& face, const View& view, SnappedPoint p) {
+    double lambda[3];
+    homogeneous_weights(face, view, p, lambda);
+    const double sum = lambda[0] + lambda[1] + lambda[2];
+    if (!view.orthographic)
+        return static_cast<float>(double(view.near) * (sum * face.edges.sum_to_inv_w));
+    double d = 0;
+    for (int i = 0; i < 3; ++i) d += lambda[i] / sum * double(face.state[i].clip.d);
+    return view.depth({0, 0, static_cast<float>(d), 1});
+}
+
+}  // namespace
+
+float depth_at(const DrawnFace& face, const Frame& frame, SnappedPoint p) {
+    switch (face.carrier) {
+        case Carrier::triangle:
+            return triangle_depth(face, p, frame.sample);
+        case Carrier::polygon:
+            return polygon_depth(face, p);
+        case Carrier::clipped:
+            return clipped_depth(face, frame.view, p);
+    }
+    return 0;
+}
+
+bool drawn_corners(const DrawnFace& face, const Frame& frame, EventCounts& events,
+                   std::vector<SnappedPoint>& out) {
+    out.clear();
+    if (face.outside == 0) {
+        for (const VertexState& v : face.state) out.push_back(v.point);
+    } else {
+        const bool depth = (face.outside & out_depth) != 0;
+        events.add(depth ? Event::near_clipped : Event::guard_clipped);
+        std::vector<ClipVertex> polygon;
+        for (const VertexState& v : face.state) polygon.push_back(v.clip);
+        clip_polygon(polygon, face.outside, frame.view);
+        for (const ClipVertex& v : polygon) out.push_back(frame.view.snap(v));
+        if (out.size() < 3) return false;
+    }
+    if (twice_area(out) != 0) return true;
+    events.add(Event::zero_area);
+    return false;
+}
+
+namespace {
 
 /// One pass over the faces of a frame.
 class CoveragePass {
@@ -77,31 +117,11 @@ private:
             if (face_.outside == 0) frame_.events.add(Event::zero_area);
             return;
         }
-        const VertexFrame& vertices = frame_.vertices[face_.object];
-        point_.clear();
-        if (face_.outside == 0) {
-            for (const std::uint32_t v : face_.vertex) point_.push_back(vertices.point[v]);
-        } else {
-            clip(vertices);
-            if (point_.size() < 3) return;
-        }
-        const std::int64_t area = twice_area(point_);
-        if (area == 0) {
-            frame_.events.add(Event::zero_area);
-            return;
-        }
+        if (!drawn_corners(face_, frame_, frame_.events, point_)) return;
         if (face_.back && frame_.plan.cull == Cull::back) return;
-        walker_.walk(point_, area > 0, frame_.sample, frame_.view.width, frame_.view.height,
+        walker_.walk(point_, twice_area(point_) > 0, frame_.sample, frame_.view.width,
+                     frame_.view.height,
                      [this](int y, int begin, int end) { visit_(face_, y, begin, end); });
-    }
-
-    void clip(const VertexFrame& vertices) {
-        const bool depth = (face_.outside & out_depth) != 0;
-        frame_.events.add(depth ? Event::near_clipped : Event::guard_clipped);
-        polygon_.clear();
-        for (const std::uint32_t v : face_.vertex) polygon_.push_back(vertices.clip[v]);
-        clip_polygon(polygon_, face_.outside, frame_.view);
-        for (const ClipVertex& v : polygon_) point_.push_back(frame_.view.snap(v));
     }
 
     Frame& frame_;
@@ -109,7 +129,6 @@ private:
     DrawnFace face_;
     PolygonWalker walker_;
     std::vector<SnappedPoint> point_;
-    std::vector<ClipVertex> polygon_;
 };
 
 }  // namespace

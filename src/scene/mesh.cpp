@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "scanshade/base/error.hpp"
+#include "scanshade/scene/clusters.hpp"
 #include "scene/mesh_parts.hpp"
 
 namespace scanshade {
@@ -136,6 +137,8 @@ void add_faces(const PolygonSoup& soup, const DrawnFaces& faces, Mesh& mesh) {
         for (const glm::dvec3& p : points) centre += (p - mesh.origin) / mesh.unit;
         centre /= double(count);
         mesh.face_material.push_back(soup.face_material[faces.number[f]]);
+        mesh.has_quads |= count == 4;
+        mesh.has_polygons |= count > 3;
         mesh.face_centre.push_back({float(centre.x), float(centre.y), float(centre.z)});
         const glm::dvec3& n = faces.normal[f];
         mesh.face_normal.push_back({float(n.x) + 0.0f, float(n.y) + 0.0f, float(n.z) + 0.0f});
@@ -169,6 +172,7 @@ Mesh build_mesh(const PolygonSoup& soup, const NormalOptions& options) {
     const CornerNormals normals = corner_normals(soup, faces, around, options, mesh.unit);
     add_vertices(soup, faces, normals, around, mesh);
     add_faces(soup, faces, mesh);
+    mesh.cluster_cache = std::make_shared<ClusterCache>();
     return mesh;
 }
 

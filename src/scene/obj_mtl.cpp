@@ -13,6 +13,7 @@
 #include "scanshade/base/error.hpp"
 #include "scanshade/base/text.hpp"
 #include "scanshade/image/png.hpp"
+#include "scanshade/image/texture.hpp"
 #include "scene/obj_text.hpp"
 
 namespace scanshade {

@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::string_view shadings[] = {"flat", "gouraud", "phong"};
 constexpr std::string_view interpolations[] = {"perspective", "edges", "patch"};
-constexpr std::string_view renderers[] = {"scalar-f32", "scalar-f64"};
+constexpr std::string_view renderers[] = {"simd", "scalar-f32", "scalar-f64"};
+constexpr std::string_view isas[] = {"auto", "avx3", "avx2", "sse4", "ssse3", "scalar"};
 constexpr std::string_view transfers[] = {"srgb", "linear"};
 constexpr std::string_view projections[] = {"perspective", "orthographic"};
 constexpr std::string_view normal_sources[] = {"file", "average", "area", "angle"};
@@ -95,6 +96,19 @@ bool is_word(std::string_view text) {
                        [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '-'; });
 }
 
+void set_isa(Settings& s, std::string_view value) {
+    enum class Isa {};
+    const auto number = static_cast<std::size_t>(choice<Isa>("isa", isas, value));
+    s.isa = number == 0 ? "" : isas[number];
+}
+
+void set_threads(Settings& s, std::string_view value) {
+    const auto n = parse_integer(value);
+    if (!n || *n < 0 || *n > 1024)
+        fail("threads", "a number from 1 to 1024, or 0 for all that the machine runs", value);
+    s.threads = static_cast<int>(*n);
+}
+
 void set_parameter(Settings& s, std::string_view value) {
     constexpr std::string_view takes =
         "NAME=V, NAME=R,G,B or NAME=WORD, such as shininess=80 or distribution=ggx";
@@ -147,10 +161,15 @@ constexpr OptionInfo options[] = {
      [](Settings& s, std::string_view v) {
          s.interpolation = choice<Interpolation>("interpolation", interpolations, v);
      }},
-    {"renderer", "scalar-f32|scalar-f64", "numbers that shading computes with", false, false,
+    {"renderer", "simd|scalar-f32|scalar-f64",
+     "the fast one; or sample by sample in float or double", false, false,
      [](Settings& s, std::string_view v) {
          s.renderer = choice<RendererKind>("renderer", renderers, v);
      }},
+    {"isa", "auto|avx3|avx2|sse4|ssse3|scalar", "instruction set of the simd renderer", false,
+     false, set_isa},
+    {"threads", "N", "threads of the simd renderer; 0: all that the machine runs", false, false,
+     set_threads},
     {"samples", "N", "samples a pixel, a square number from 1 to 1024", false, false, set_samples},
     {"transfer", "srgb|linear", "curve from radiance to bytes", false, false,
      [](Settings& s, std::string_view v) {
@@ -195,6 +214,8 @@ constexpr OptionInfo options[] = {
      }},
     {"cull", "none|back", "leave out faces seen from behind", false, false,
      [](Settings& s, std::string_view v) { s.cull = choice<Cull>("cull", culls, v); }},
+    {"no-plan", "", "leave nothing out that the picture does not need", false, true,
+     [](Settings& s, std::string_view v) { s.no_plan = flag("no-plan", v); }},
     {"mtl-ambient", "", "take k_a from the MTL file instead of from Kd", false, true,
      [](Settings& s, std::string_view v) { s.mtl_ambient = flag("mtl-ambient", v); }},
     {"up", "y|z", "axis that points up in an OBJ file", false, false,

@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "scanshade/image/png.hpp"
+#include "scanshade/image/texture.hpp"
 #include "scanshade/scene/obj.hpp"
 #include "scanshade/scene/shapes.hpp"
 #include "scene/limits.hpp"
@@ -155,14 +156,18 @@ const ObjectReader::Source& ObjectReader::file_source(const TomlReader& reader,
         throw Error(Errc::format, fmt::format("mesh: {} has no face that can be drawn",
                                               (folder_ / name).string()))
             .at(reader.place(*reader.node("mesh")));
-    for (Material& material : file.materials) {
-        source.materials.push_back(static_cast<std::uint32_t>(scene_.materials.size()));
-        scene_.materials.push_back(std::move(material));
-    }
+    add_materials(source, std::move(file.materials));
     scene_.warnings.insert(scene_.warnings.end(), file.warnings.begin(), file.warnings.end());
     scene_.events += file.events;
     scene_.events += source.mesh->events;
     return source;
+}
+
+void ObjectReader::add_materials(Source& source, std::vector<Material> materials) {
+    for (Material& material : materials) {
+        source.materials.push_back(static_cast<std::uint32_t>(scene_.materials.size()));
+        scene_.materials.push_back(std::move(material));
+    }
 }
 
 const ObjectReader::Source& ObjectReader::shape_source(const TomlReader& reader,
@@ -178,8 +183,7 @@ const ObjectReader::Source& ObjectReader::shape_source(const TomlReader& reader,
     Source& source = at->second;
     if (!is_new) return source;
     source.mesh = std::make_shared<Mesh>(build_mesh(shape.make(static_cast<int>(n)), {}));
-    source.materials.push_back(static_cast<std::uint32_t>(scene_.materials.size()));
-    scene_.materials.emplace_back();
+    add_materials(source, shape.materials());
     scene_.events += source.mesh->events;
     return source;
 }

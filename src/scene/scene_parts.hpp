@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "scanshade/scene/scene.hpp"
 #include "scene/toml_reader.hpp"
@@ -37,6 +38,7 @@ private:
     };
     const Source& file_source(const TomlReader& reader, const std::string& name);
     const Source& shape_source(const TomlReader& reader, const std::string& name);
+    void add_materials(Source& source, std::vector<Material> materials);
     std::uint32_t material_index(const TomlReader& reader) const;
 
     std::filesystem::path folder_;

@@ -27,7 +27,7 @@ void ShapeBuilder::add_face(const std::array<PolygonSoup::Corner, 4>& quad) {
         if (quad[c].position != quad[(c + 1) % quad.size()].position)
             soup_.corners.push_back(quad[c]);
     soup_.face_begin.push_back(std::uint32_t(soup_.corners.size()));
-    soup_.face_material.push_back(0);
+    soup_.face_material.push_back(material_);
 }
 
 }  // namespace scanshade

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "scanshade/scene/material.hpp"
 #include "scanshade/scene/mesh.hpp"
 
 namespace scanshade {
@@ -45,6 +46,9 @@ public:
         }
     }
 
+    /// The material of the grids from here on; 0 at first.
+    void use_material(std::uint32_t material) { material_ = material; }
+
     PolygonSoup take() { return std::move(soup_); }
 
 private:
@@ -62,6 +66,7 @@ private:
     void add_face(const std::array<PolygonSoup::Corner, 4>& quad);
 
     PolygonSoup soup_;
+    std::uint32_t material_ = 0;
     std::unordered_map<Bits, std::uint32_t, Hash> border_;
 };
 
@@ -70,5 +75,9 @@ PolygonSoup make_teapot(int n);
 
 /// Hills (shape_terrain.cpp).
 PolygonSoup make_terrain(int n);
+
+/// The Cornell box (shape_cornell_box.cpp).
+PolygonSoup make_cornell_box(int n);
+std::vector<Material> cornell_box_materials();
 
 }  // namespace scanshade

@@ -107,19 +107,25 @@ PolygonSoup make_cylinder(int n) {
     return builder.take();
 }
 
+std::vector<Material> one_material() { return {Material{}}; }
+
 constexpr ShapeInfo shapes[] = {
     {"sphere", "radius 1; n quads a quarter turn: 4n around, 2n from pole to pole", 24, 1024,
-     make_sphere},
+     make_sphere, one_material},
     {"torus", "radii 0.7 and 0.3; n quads a quarter turn of the tube: 4n around it, 8n along it",
-     12, 512, make_torus},
+     12, 512, make_torus, one_material},
     {"teapot", "32 Bezier patches, open at spout and lid; n by n quads a patch, 1 means 2", 10, 512,
-     make_teapot},
-    {"cube", "side 2, flat normals; n by n quads a side", 1, 1024, make_cube},
+     make_teapot, one_material},
+    {"cube", "side 2, flat normals; n by n quads a side", 1, 1024, make_cube, one_material},
     {"cylinder", "radius 1, height 2, capped; 4n quads around, n up, n from rim to centre", 16,
-     1024, make_cylinder},
-    {"plane", "side 2 in y = 0, facing up, not closed; n by n quads", 1, 2048, make_plane},
+     1024, make_cylinder, one_material},
+    {"plane", "side 2 in y = 0, facing up, not closed; n by n quads", 1, 2048, make_plane,
+     one_material},
     {"terrain", "hills over a square of side 2, always the same, not closed; n by n quads", 128,
-     2048, make_terrain},
+     2048, make_terrain, one_material},
+    {"cornell-box",
+     "the measured room with two blocks and a lamp, its own materials; n by n quads a face", 8, 512,
+     make_cornell_box, cornell_box_materials},
 };
 
 }  // namespace

@@ -149,24 +149,6 @@ TEST_CASE("every instruction set lights a span as double does", "[brdf][kernels]
             }
 }
 
-TEST_CASE("without a fraction in the exponent every instruction set has the bits of float",
-          "[brdf][kernels][isa]") {
-    const BrdfInfo* brdf = find_brdf("blinn-phong");
-    Material material;
-    material.set("shininess", {37});
-    const auto params = to_float(resolve_material(material, "", {}).params);
-    Rng rng(34);
-    const SpanCase span(333, rng);
-    const Lighting<float> lights = narrow(span.lighting);
-    const auto f32 = span.run(brdf->illuminate_f32, lights, params);
-    for (const std::string& isa : instruction_sets()) {
-        use_instruction_set(isa);
-        CAPTURE(isa);
-        CHECK(span.run(brdf->illuminate_simd, lights, params) == f32);
-        use_instruction_set("");
-    }
-}
-
 TEST_CASE("every instruction set is finite where parameters and angles are extreme",
           "[brdf][kernels][isa]") {
     for (const BrdfInfo* brdf : all_brdfs())

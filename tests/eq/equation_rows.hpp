@@ -40,6 +40,7 @@ EQUATION(phong_f_cos, 4, 3, 22, 0,
 EQUATION(modified_phong_brdf, 3, 3, 16, 0,
          put(modified_phong_brdf(rgb_of(x[0]), rgb_of(x[1]), make_exponent(10), R(12), x[2]), y), {COSINE, COSINE, {0.1, 1}})
 EQUATION(half_vector, 6, 3, 5, 30, put(half_vector(vec3_at(x), vec3_at(x + 3)), y), {COMPONENTS, {-1, 1}, {-1, 1}, {1.1, 2}})
+EQUATION(cos_half, 8, 1, 12, 1, y[0] = cos_half(x[6], x[7], vec3_at(x), vec3_at(x + 3)), {COMPONENTS, {-1, 1}, {-1, 1}, {1.1, 2}, {-1, 1}, {-1, 1}})
 EQUATION(oren_nayar_coefficients, 1, 2, 6, 0,
          const OrenNayarCoefficients<R> k = oren_nayar_coefficients(x[0]); y[0] = k.A; y[1] = k.B, {{0, 1.57}})
 EQUATION(oren_nayar_f_cos, 4, 3, 9, 0,

@@ -1,5 +1,6 @@
 #include "scanshade/eq/reflection.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/catch.hpp"
@@ -83,10 +84,14 @@ TEST_CASE("(B15) the half vector lies in the middle; opposite directions have no
         CHECK(dot(h, h) == Approx(1));
         CHECK(dot(h, wi) == Approx(dot(h, wo)));
         CHECK(std::abs(dot(cross(wi, wo), h)) < 1e-14);
+        const Vec3<double> n = upper_direction(rng);
+        CHECK(cos_half(dot(n, wi), dot(n, wo), wi, wo) ==
+              Approx(std::max(0.0, dot(n, h))).margin(1e-14));
     }
     const Vec3<float> w = {0, 0.6f, 0.8f};
     const Vec3<float> none = half_vector(w, -w);
     CHECK(dot(none, none) == 0);
+    CHECK(cos_half(0.8f, -0.8f, w, -w) == 0);
 }
 
 TEST_CASE("(B13) f_r cosθ_i is finite where the printed BRDF is not", "[eq]") {

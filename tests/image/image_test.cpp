@@ -93,33 +93,3 @@ TEST_CASE("colours beyond the range clamp, and NaN is black", "[image]") {
           std::vector<std::uint8_t>{255, 0, 255, 0, 0, 188});
     CHECK(encode(frame, Transfer::linear, -5000).rgb == std::vector<std::uint8_t>(6, 0));
 }
-
-TEST_CASE("a texture is decoded once and looked up from its lower left corner", "[image]") {
-    // Top row white, black; bottom row mid grey, black.
-    const Texture texture = make_texture(picture(2, 2, {255, 0, 128, 0}), "t");
-    const float grey = float(srgb_decode(128 / 255.0));
-    CHECK(texture.name == "t");
-    CHECK(texture.bilinear(0.25f, 0.25f)[0] == Approx(grey));
-    CHECK(texture.bilinear(0.25f, 0.75f)[0] == Approx(1));
-    CHECK(texture.bilinear(0.75f, 0.25f)[0] == 0);
-    CHECK(texture.bilinear(0.25f, 0.5f)[0] == Approx((1 + grey) / 2));
-    CHECK(texture.bilinear(0.5f, 0.75f)[0] == Approx(0.5));
-    // The corner belongs to all four texels, on either side of the seam.
-    for (const float c : {0.0f, 1.0f, -3.0f})
-        CHECK(texture.bilinear(c, c)[0] == Approx((1 + grey) / 4));
-}
-
-TEST_CASE("texture coordinates wrap at any distance", "[image]") {
-    const Texture texture = make_texture(picture(4, 1, {10, 80, 160, 250}), "t");
-    for (int i = 0; i < 16; ++i) {
-        const float u = float(i) / 16;
-        for (const float turns : {-5.0f, -1.0f, 1.0f, 1024.0f}) {
-            CAPTURE(u, turns);
-            CHECK(texture.bilinear(u + turns, 0.3f) == texture.bilinear(u, 0.3f));
-        }
-    }
-    for (const float huge : {1e30f, -1e30f, 3e38f, -1e-30f, -1e-8f, 0.99999997f}) {
-        const float x = texture.bilinear(huge, huge)[0];
-        CHECK((x >= 0 && x <= 1));
-    }
-}

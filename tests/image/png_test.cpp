@@ -155,3 +155,31 @@ TEST_CASE("grey is spread, alpha dropped and 16 bits are cut", "[image][png]") {
     folder.write("tiny.png", tiny_png(1, 16, 2, "\x01\xff\x02\xff\x03\xff"));
     CHECK(load_image(file).rgb == Bytes{1, 2, 3});
 }
+
+TEST_CASE("JPEG, BMP and TGA pictures have the size and mean that another decoder gives",
+          "[image][png]") {
+    const fs::path models = "/usr/share/assimp/models";
+    if (!fs::exists(models)) {
+        WARN("skipped: assimp-testmodels is not installed");
+        return;
+    }
+    struct Case {
+        const char* file;
+        int width, height;
+        double mean[3];  // by ImageMagick 6.9
+    };
+    const Case cases[] = {{"OBJ/wal67ar_small.jpg", 250, 250, {73.74, 65.15, 46.12}},
+                          {"IQM/Head.jpg", 512, 512, {53.54, 57.84, 22.07}},
+                          {"MD2/sydney.bmp", 308, 193, {40.92, 38.05, 35.83}},
+                          {"Collada/duckCM.tga", 512, 512, {233.62, 193.01, 15.68}}};
+    for (const Case& c : cases) {
+        CAPTURE(c.file);
+        const Image image = load_image(models / c.file);
+        CHECK(image.width == c.width);
+        CHECK(image.height == c.height);
+        double sum[3] = {};
+        for (std::size_t i = 0; i < image.rgb.size(); ++i) sum[i % 3] += image.rgb[i];
+        for (int k = 0; k < 3; ++k)
+            CHECK(sum[k] / c.width / c.height == Approx(c.mean[k]).margin(0.3));
+    }
+}

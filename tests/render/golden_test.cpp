@@ -1,5 +1,6 @@
 // Golden pictures: what each scene of golden/manifest.toml drew when somebody last looked at it.
 #include <filesystem>
+#include <set>
 
 #include "scanshade/image/png.hpp"
 #include "scanshade/render/renderer.hpp"
@@ -29,7 +30,7 @@ Image encoded(const Framebuffer& frame, const Settings& settings) {
 TEST_CASE("each golden picture is drawn as it was", "[golden]") {
     std::filesystem::create_directories(drawn_folder);
     const GoldenList list = load_golden_list();
-    REQUIRE(list.pictures.size() >= 24);
+    REQUIRE(list.pictures.size() >= 33);
     for (const GoldenPicture& picture : list.pictures) DYNAMIC_SECTION(picture.name) {
             const Image drawn = encoded(draw(picture, RendererKind::scalar_f32), picture.settings);
             save_png(drawn, drawn_folder / (picture.name + ".png"));
@@ -41,6 +42,19 @@ TEST_CASE("each golden picture is drawn as it was", "[golden]") {
             CHECK(difference.max_delta <= list.max_delta);
             CHECK(difference.count <= list.max_count);
         }
+}
+
+TEST_CASE("each file of models/scenes has a golden picture", "[golden]") {
+    std::set<std::string> drawn;
+    for (const GoldenPicture& picture : load_golden_list().pictures)
+        drawn.insert(picture.scene_file);
+    std::size_t files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator("models/scenes")) {
+        CAPTURE(entry.path().string());
+        CHECK(drawn.count(entry.path().filename().string()) == 1);
+        ++files;
+    }
+    CHECK(files >= 8);
 }
 
 TEST_CASE("float and double shade the golden scenes alike: same ids, within a level",
@@ -69,11 +83,14 @@ TEST_CASE("the picture's bits do not change when the scene is scaled by a power 
                     for (int row = 0; row < 3; ++row) object.to_world[column][row] *= k;
             for (Light& light : scaled.scene.lights) {
                 light.position *= k;
+                if (light.radius) *light.radius *= k;
                 light.attenuation.y /= k;
                 light.attenuation.z /= k * k;
             }
             scaled.scene.camera->position *= k;
             scaled.scene.camera->focal_point *= k;
+            if (scaled.scene.camera->near) *scaled.scene.camera->near *= k;
+            if (scaled.scene.camera->far) *scaled.scene.camera->far *= k;
             const Framebuffer a = draw(picture, RendererKind::scalar_f32);
             const Framebuffer b = draw(scaled, RendererKind::scalar_f32);
             CHECK(a.id == b.id);

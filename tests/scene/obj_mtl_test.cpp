@@ -4,6 +4,7 @@
 
 #include "scanshade/image/image.hpp"
 #include "scanshade/image/png.hpp"
+#include "scanshade/image/texture.hpp"
 #include "scanshade/scene/obj.hpp"
 #include "support/catch.hpp"
 #include "support/temp_folder.hpp"
@@ -141,8 +142,8 @@ TEST_CASE("textures are read beside the library, once", "[obj][mtl]") {
     const auto& m = file.materials;
     REQUIRE(m.size() == 4);
     REQUIRE(m[0].map_kd);
-    CHECK(m[0].map_kd->width == 2);
-    CHECK(m[0].map_kd->texels[0] == 1);
+    CHECK(m[0].map_kd->width() == 2);
+    CHECK(m[0].map_kd->levels[0].texels[0] == 1);
     CHECK(m[1].map_kd == m[0].map_kd);
     CHECK(m[2].map_kd);
     CHECK_FALSE(m[3].map_kd);

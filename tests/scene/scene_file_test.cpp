@@ -6,6 +6,7 @@
 #include "scanshade/base/error.hpp"
 #include "scanshade/image/image.hpp"
 #include "scanshade/image/png.hpp"
+#include "scanshade/image/texture.hpp"
 #include "scanshade/scene/scene.hpp"
 #include "scanshade/scene/shapes.hpp"
 #include "support/catch.hpp"
@@ -205,7 +206,7 @@ material = "red"
     CHECK(red.find("distribution")->word == "ggx");
     CHECK(red.find("distribution")->place == (folder.path / "s.toml").string() + ":7");
     REQUIRE(red.map_kd);
-    CHECK(red.map_kd->width == 2);
+    CHECK(red.map_kd->width() == 2);
     // The second object has the default material.
     const Scene plain = parse(cube);
     CHECK(plain.materials[plain.objects[0].materials[0]].name == "default");
@@ -263,6 +264,20 @@ TEST_CASE("every shape of the table can be an object", "[scene_file]") {
         const Scene scene = parse(fmt::format("[[object]]\nshape = \"{}\"\n", shape.name));
         CHECK(scene.triangle_count() > 0);
     }
+}
+
+TEST_CASE("a shape brings its materials; the object's material goes before them", "[scene_file]") {
+    const std::string box = "[[object]]\nshape = \"cornell-box\"\n";
+    const Scene scene =
+        parse("[[material]]\nname = \"red\"\n" + box + box + "material = \"red\"\n");
+    std::vector<std::string> names;
+    for (const std::uint32_t m : scene.objects[0].materials)
+        names.push_back(scene.materials[m].name);
+    CHECK(names == std::vector<std::string>{"cornell-white", "cornell-green", "cornell-red",
+                                            "cornell-lamp"});
+    REQUIRE(scene.objects[1].materials.size() == 4);
+    for (const std::uint32_t m : scene.objects[1].materials)
+        CHECK(scene.materials[m].name == "red");
 }
 
 TEST_CASE("faults in a scene file name the line and what would be right", "[scene_file]") {

@@ -78,6 +78,9 @@ const std::map<std::string, Expected, std::less<>>& expected() {
         // Hills of the last octave are 1/27 wide.
         {"terrain",
          {[](std::size_t n) { return n * n; }, [](std::size_t n) { return 4 * n; }, 0, 16}},
+        // Open: the room's front and the undersides of two blocks.
+        {"cornell-box",
+         {[](std::size_t n) { return 19 * n * n; }, [](std::size_t n) { return 12 * n; }, 0}},
     };
     return table;
 }
@@ -234,4 +237,41 @@ TEST_CASE("meshes of shapes have no odd faces", "[shapes]") {
             CHECK(mesh.events[Event::repaired_normal] == 0);
             CHECK(mesh.has_texcoords);
         }
+}
+
+TEST_CASE("every face of a shape has one of the shape's materials, and each is used", "[shapes]") {
+    for (const ShapeInfo& shape : all_shapes()) {
+        INFO(shape.name);
+        const PolygonSoup soup = shape.make(2);
+        const std::set<std::uint32_t> used(soup.face_material.begin(), soup.face_material.end());
+        CHECK(soup.face_material.size() == soup.face_count());
+        CHECK(used.size() == shape.materials().size());
+        CHECK(*used.rbegin() == shape.materials().size() - 1);
+    }
+}
+
+TEST_CASE("the Cornell box has its published measures", "[shapes]") {
+    const PolygonSoup soup = find_shape("cornell-box")->make(1);
+    const std::vector<Material> materials = find_shape("cornell-box")->materials();
+    std::map<std::string, double> area;  // mm²
+    std::set<double> heights;
+    for (std::size_t f = 0; f < soup.face_count(); ++f) {
+        std::vector<glm::dvec3> p = face_positions(soup, f);
+        for (glm::dvec3& q : p) q = q * 279.6 + glm::dvec3(278, 274.4, 279.6);
+        area[materials[soup.face_material[f]].name] += glm::length(newell_normal(p)) / 2;
+        for (const glm::dvec3& q : p) heights.insert(std::round(q.y * 10) / 10);
+    }
+    CHECK(heights == std::set<double>{0, 165, 330, 548.8});
+    CHECK(area.size() == 4);
+    CHECK(area["cornell-lamp"] == Approx(130 * 105));
+    CHECK(area["cornell-green"] == Approx(559.2 * 548.8));
+    CHECK(area["cornell-red"] == Approx(559.2 * 548.8).epsilon(1e-3));
+    // Floor, ceiling around the lamp, back wall; of each block the top and the four sides.
+    const auto block = [](double a, double b, double height) {
+        return a * b + 2 * (a + b) * height;
+    };
+    const double room =
+        (552.8 + 549.6) / 2 * 559.2 + 556 * 559.2 - 130 * 105 + (549.6 + 556) / 2 * 548.8;
+    CHECK(area["cornell-white"] ==
+          Approx(room + block(165, 165, 165) + block(165, 165, 330)).epsilon(0.005));
 }

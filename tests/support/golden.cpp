@@ -8,14 +8,11 @@
 namespace scanshade {
 namespace {
 
-constexpr int width = 240, height = 180;
-
 GoldenPicture load_picture(const toml::table& manifest, const toml::table& row) {
     GoldenPicture picture;
     picture.name = row["name"].value<std::string>().value();
     const std::string scene = row["scene"].value<std::string>().value();
-    picture.settings.width = width;
-    picture.settings.height = height;
+    find_option("resolution")->apply(picture.settings, "240,180");
     for (const auto& [key, value] : *row["options"].as_table()) {
         const OptionInfo* option = find_option(key.str());
         REQUIRE(option != nullptr);
@@ -24,14 +21,15 @@ GoldenPicture load_picture(const toml::table& manifest, const toml::table& row) 
                       text ? *text : std::to_string(value.value<std::int64_t>().value()));
         picture.settings.given.insert(std::string(key.str()));
     }
+    picture.scene_file = scene;
     const Settings options = picture.settings;
     if (const auto text = manifest["scenes"][scene].value<std::string>())
         picture.scene = parse_scene(*text, "golden/manifest.toml", picture.settings);
     else
         picture.scene =
             load_scene(std::filesystem::path("models/scenes") / scene, picture.settings);
-    picture.settings.width = width;
-    picture.settings.height = height;
+    picture.settings.width = options.width;
+    picture.settings.height = options.height;
     if (options.projection) picture.scene.camera->projection = *options.projection;
     return picture;
 }

@@ -10,6 +10,7 @@ namespace scanshade {
 
 struct GoldenPicture {
     std::string name;
+    std::string scene_file;  // or the name of a text in the manifest
     Scene scene;
     Settings settings;
 };

@@ -68,10 +68,7 @@ struct TestFrame {
           plan(make_plan(scene, settings)),
           target(settings.width, settings.height),
           frame(scene, plan, target) {
-        frame.view = make_view(plan.camera, plan.depth, plan.width, plan.height);
-        frame.vertices.resize(scene.objects.size());
-        for (std::size_t i = 0; i < scene.objects.size(); ++i)
-            transform_vertices(scene.objects[i], frame.view, frame.vertices[i]);
+        transform_vertices(frame);
     }
 
     /// How many faces cover each sample.
@@ -83,5 +80,39 @@ struct TestFrame {
         return count;
     }
 };
+
+/// A scene as Renderer draws it.
+struct Drawn {
+    Framebuffer frame;
+    FrameStats stats;
+};
+
+inline Drawn draw(const Scene& scene, const Settings& settings) {
+    Drawn d;
+    d.stats = Renderer(scene, settings).draw(d.frame);
+    return d;
+}
+
+/// Samples that show something.
+inline std::size_t seen(const Framebuffer& frame) {
+    std::size_t count = 0;
+    for (const std::uint32_t id : frame.id) count += id != Framebuffer::no_triangle;
+    return count;
+}
+
+/// The unit sphere, lit and seen from (0, 0, 5).
+inline Scene lit_sphere() {
+    Scene scene = single_object_scene(
+        std::make_shared<Mesh>(build_mesh(find_shape("sphere")->make(16), {})), Material{});
+    scene.camera = Camera{};
+    return scene;
+}
+
+inline Settings small_picture() {
+    Settings s;
+    s.width = 80;
+    s.height = 60;
+    return s;
+}
 
 }  // namespace scanshade

@@ -85,6 +85,7 @@ struct BrdfInfo {
     std::string_view source;    // author and year
     std::span<const ParamInfo> params;
     Promises promises;
+    bool ignores_view;  // f_cos reads cosθ_i alone
 
     /// Computes `derived` from the other parameters, in double.
     void (*derive)(MaterialParams<double>&);
@@ -137,6 +138,7 @@ MaterialParams<To> params_as(const MaterialParams<From>& from) {
     for (std::size_t i = 0; i < max_derived; ++i) to.derived[i] = static_cast<To>(from.derived[i]);
     copy(from.ka, to.ka);
     copy(from.emission, to.emission);
+    to.matt = from.matt;
     return to;
 }
 

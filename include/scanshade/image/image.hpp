@@ -1,9 +1,7 @@
-// Pictures in bytes, textures, and the difference between two pictures.
+// Pictures in bytes, and the difference between two of them.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace scanshade {
@@ -33,20 +31,6 @@ struct ImageDiff {
 
 /// Throws Error(format) where the sizes differ.
 ImageDiff diff(const Image& a, const Image& b);
-
-/// A texture in linear float RGB, rows from the top.
-struct Texture {
-    int width = 0, height = 0;
-    std::vector<float> texels;  // [3·(y·width + x) + channel]
-    std::string name;
-
-    /// Bilinear look-up with both coordinates wrapped: (0, 0) is the lower left corner of the
-    /// picture, texel centres at +0.5. u and v finite.
-    std::array<float, 3> bilinear(float u, float v) const;
-};
-
-/// sRGB bytes decoded to linear radiance.
-Texture make_texture(const Image& image, std::string name);
 
 /// IEC 61966-2-1; both map [0, 1] to [0, 1].
 double srgb_encode(double linear);

@@ -25,6 +25,7 @@ struct SurfaceSpan {
     const T* normal[3];    // towards the viewer's side, any length but 0
     const T* albedo[3];    // factor of the diffuse parameter and of ka; null: 1 everywhere
     T* radiance[3];        // out: L towards the viewer
+    const T* counted;      // 0 at samples that events leave out; null: all count
     std::size_t count;
 };
 
@@ -44,6 +45,8 @@ struct LightTerm {
     T cos_cutoff;      // spot: cos τ
     T inv_penumbra;    // spot: 1/(cos(τ − penumbra) − cos τ); 0: hard edge
     LightEmission emission;
+    bool constant;  // leave out what attenuation says of the distance: nothing
+    bool touches;   // some surface may be nearer than the radius
 };
 
 /// All light that falls on a scene.
@@ -66,6 +69,7 @@ struct MaterialParams {
     T derived[max_derived];         // what the model computes from the others, once a material
     T ka[3];                        // factor of the ambient light
     T emission[3];                  // radiance added
+    bool matt;                      // leave out the specular term, which is black
 };
 
 /// What a kernel noticed.

@@ -22,8 +22,9 @@ struct LanesMask {
     hn::Mask<hn::CappedTag<float, 16>> m;
 };
 
-/// As many floats as a register of this target has, at most 16. Arithmetic is IEEE, element by
-/// element, never fused: + − × / and sqrt have the bits of float.
+/// As many floats as a register of this target has, at most 16. + − × / and sqrt are IEEE's, element
+/// by element, and have the bits of float; mul_add, inverse_sqrt and reciprocal are what the target
+/// does fastest within their bounds.
 class Lanes {
 public:
     using Tag = hn::CappedTag<float, 16>;
@@ -64,6 +65,25 @@ inline std::uint64_t count_true(Lanes::Mask mask) { return hn::CountTrue(Lanes::
 inline Lanes max(Lanes a, Lanes b) { return select(a > b, a, b); }
 inline Lanes min(Lanes a, Lanes b) { return select(a < b, a, b); }
 inline Lanes sqrt(Lanes x) { return Lanes(hn::Sqrt(x.v)); }
+inline Lanes mul_add(Lanes a, Lanes b, Lanes c) { return Lanes(hn::MulAdd(a.v, b.v, c.v)); }
+#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128
+// There are no estimates to start from that would be good enough.
+inline Lanes inverse_sqrt(Lanes x) { return Lanes(1.0f) / sqrt(x); }
+inline Lanes reciprocal(Lanes x) { return Lanes(1.0f) / x; }
+#else
+// An estimate of 11.4 bits or better, and one step of Newton's method.
+inline Lanes inverse_sqrt(Lanes x) {
+    const Lanes y(hn::ApproximateReciprocalSqrt(x.v));
+    const Lanes half_xy = x * Lanes(0.5f) * y;
+    return y * Lanes(hn::NegMulAdd(half_xy.v, y.v, Lanes(1.5f).v));
+}
+inline Lanes reciprocal(Lanes x) {
+    // Outside of this range the estimate is 0 or infinite, and the step would give NaN.
+    const Lanes limited = min(max(x, Lanes(0x1p-100f)), Lanes(0x1p100f));
+    const Lanes y(hn::ApproximateReciprocal(limited.v));
+    return y * Lanes(hn::NegMulAdd(limited.v, y.v, Lanes(2.0f).v));
+}
+#endif
 inline Lanes abs(Lanes x) { return Lanes(hn::Abs(x.v)); }
 inline Lanes exp(Lanes x) { return Lanes(hn::Exp(Lanes::Tag(), x.v)); }  // ≤ 1 ulp, as documented
 inline Lanes log(Lanes x) { return Lanes(hn::Log(Lanes::Tag(), x.v)); }  // ≤ 4 ulp, as documented

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "scanshade/brdf/brdf.hpp"
+#include "scanshade/render/plan_rows.hpp"
 #include "scanshade/scene/scene.hpp"
 
 namespace scanshade {
@@ -27,6 +29,11 @@ struct RenderPlan {
     int width, height, samples_side;  // samples_side² samples a pixel
     Interpolation interpolation;
     RendererKind renderer;
+    std::string isa;
+    int threads;
+    int tile;  // side of a tile in samples
+    Transfer transfer;
+    double exposure_ev;
     Cull cull;
     std::array<float, 3> background;
     Camera camera;  // in normalised space
@@ -35,17 +42,30 @@ struct RenderPlan {
     std::vector<ResolvedMaterial> materials;
 
     // what is needed; each with the count that decides it
-    std::uint64_t triangles = 0, vertices = 0;
+    std::uint64_t triangles = 0, vertices = 0, clusters = 0;
     bool vertex_light = false;    // some object is gouraud
     bool face_light = false;      // some object is flat
     bool texture = false;         // some material in use has a texture
     std::size_t light_count = 0;  // 0 where no material in use is lit
+    std::size_t used_materials = 0, unlit_materials = 0, textured_materials = 0;
+    std::size_t matt_materials = 0;   // lit, with a specular parameter that is black
+    std::size_t dark_lights = 0;      // of no intensity
+    std::size_t narrow_lights = 0;    // spot and cosine lights
+    std::size_t constant_lights = 0;  // attenuation does not depend on the distance
+    bool position_read = false;       // some light or model depends on where a sample is
+
+    /// What is left out, by PlanRow: it applies, and was not asked for.
+    std::bitset<plan_row_count> rows;
+    bool leaves_out(PlanRow row) const { return rows[static_cast<std::size_t>(row)]; }
 };
 
 /// `scene` must be normalised. Throws Error for materials that no model can draw.
 RenderPlan make_plan(const Scene& scene, const Settings& settings);
 
-/// One line of `scanshade explain`.
+/// Lit, and what it adds for highlights is black.
+bool is_matt(const ResolvedMaterial& material);
+
+/// One line of `scanshade explain`: a stage, or work that a row of the plan leaves out.
 struct PlanLine {
     std::string_view stage;
     bool runs;

@@ -26,13 +26,15 @@ struct FrameStats {
     std::vector<StageStats> stages;  // in the order in which they run
     EventCounts events;              // of this frame
     std::uint64_t covered_samples = 0;
+    PlanSavings saved{};  // what each row of the plan did without
 };
 
 /// Draws one scene with one set of settings any number of times. Holds copies of what it needs;
 /// a renderer is used by one thread at a time, several renderers by several.
 class Renderer {
 public:
-    /// Normalises the scene and makes the plan. Throws Error for what cannot be drawn.
+    /// Normalises the scene and makes the plan. Throws Error for what cannot be drawn. Where the
+    /// settings name an instruction set, all kernels of this process use it from now on.
     Renderer(const Scene& scene, const Settings& settings);
     ~Renderer();
     Renderer(Renderer&&) noexcept;
@@ -43,6 +45,10 @@ public:
     /// Draws a frame from the scene's arrays into `frame`, which gets the plan's size. With
     /// several samples a pixel, colour is their mean, depth and id are those of the first sample.
     FrameStats draw(Framebuffer& frame);
+
+    /// Draws a frame into bytes, encoded as the settings say. The simd renderer writes them at once
+    /// and nothing else; they are the bytes of encode(Framebuffer).
+    FrameStats draw(PixelBuffer& pixels);
 
 private:
     struct State;

@@ -6,12 +6,15 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "scanshade/base/events.hpp"
 
 namespace scanshade {
+
+struct ClusterCache;  // scene/clusters.hpp
 
 inline constexpr std::uint32_t no_index = 0xffffffffu;
 
@@ -74,7 +77,12 @@ struct Mesh {
     std::vector<std::uint32_t> triangle_face;            // [triangle]
 
     bool has_texcoords = false;
-    EventCounts events;  // what was odd while building
+    bool has_quads = false;     // some face has four corners
+    bool has_polygons = false;  // some face has more than three
+    EventCounts events;         // what was odd while building
+
+    /// Made when clusters_of asks for it first; copies of a mesh share it.
+    std::shared_ptr<ClusterCache> cluster_cache;
 
     std::size_t vertex_count() const { return x.size(); }
     std::size_t face_count() const { return face_material.size(); }

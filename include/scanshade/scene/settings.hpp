@@ -19,8 +19,12 @@ namespace scanshade {
 
 enum class Shading { flat, gouraud, phong };             // where reflection is evaluated
 enum class Interpolation { perspective, edges, patch };  // how values travel inside a polygon
-enum class RendererKind { scalar_f32, scalar_f64 };      // the numbers that shading uses
-enum class Transfer { srgb, linear };                    // from radiance to bytes
+enum class RendererKind {
+    simd,
+    scalar_f32,
+    scalar_f64
+};                                     // vectors of floats; or their plain twins
+enum class Transfer { srgb, linear };  // from radiance to bytes
 enum class Cull { none, back };
 enum class UpAxis { y, z };
 
@@ -35,7 +39,10 @@ struct Settings {
     std::string brdf;               // every material gets this model; empty: its own
     std::vector<ParamSetting> set;  // every material gets these parameters
     Interpolation interpolation = Interpolation::perspective;
-    RendererKind renderer = RendererKind::scalar_f32;
+    RendererKind renderer = RendererKind::simd;
+    std::string isa;  // instruction set of the kernels; empty: the best of this machine
+    int tile = 64;    // side of the simd renderer's tiles in samples: 16, 32 or 64
+    int threads = 0;  // of the simd renderer, 1 to 1024; 0: all that the machine runs
     int samples = 1;  // a square number, 1 to 1024
     Transfer transfer = Transfer::srgb;
     double exposure_ev = 0;                   // radiance is multiplied by 2^EV
@@ -48,6 +55,8 @@ struct Settings {
     bool mtl_ambient = false;  // k_a from the MTL file instead of from Kd
     UpAxis up = UpAxis::y;     // of OBJ files
     Cull cull = Cull::none;
+    bool no_plan = false;  // leave nothing out that the picture does not need
+    std::set<std::string, std::less<>> kept_rows;  // rows of the plan that are not left out
 
     std::set<std::string, std::less<>> given;  // names of options given on the command line
     bool is_given(std::string_view name) const { return given.find(name) != given.end(); }

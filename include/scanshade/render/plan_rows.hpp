@@ -1,0 +1,48 @@
+// What the vector renderer leaves out because a scene does not need it: one table. Leaving a row's
+// work out changes no bit of the picture; tests hold that for each row alone.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace scanshade {
+
+struct RenderPlan;
+
+enum class PlanRow {
+    clusters_outside,
+    clusters_facing_away,
+    clipping,
+    normals,
+    positions,
+    texcoords,
+    unseen_points,
+    dark_lights,
+    attenuation,
+    specular,
+    material_lookup,
+    empty_tiles,
+    count_
+};
+
+inline constexpr std::size_t plan_row_count = static_cast<std::size_t>(PlanRow::count_);
+
+struct PlanRowInfo {
+    PlanRow row;
+    std::string_view name;      // stable: scripts read it
+    std::string_view left_out;  // what, as a sentence goes on after "left out: "
+    std::string_view unit;      // of the count of what it saved in a frame
+    bool (*applies)(const RenderPlan&);
+    std::string (*reason)(const RenderPlan&);  // why it applies or not, with the counts
+};
+
+/// All rows in the order of the enum.
+std::span<const PlanRowInfo> all_plan_rows();
+
+/// A number for each row: how much of its unit a frame did without.
+using PlanSavings = std::array<std::uint64_t, plan_row_count>;
+
+}  // namespace scanshade

@@ -1,0 +1,342 @@
+// From refs to surface points: the values that shading reads, at the samples of one subtile.
+#define SCANSHADE_SIMD
+
+#include <algorithm>
+#include <limits>
+
+#include "kernels/engine_data.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "kernels/resolve.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "kernels/record_depth.hpp"
+#include "kernels/vectors.hpp"
+
+SCANSHADE_TARGET_BEGIN;
+
+/// Shorter than this, an interpolated normal is noise.
+constexpr float shortest_normal2 = 1e-12f;
+
+/// One vector of samples.
+struct Samples {
+    Positions at;
+    VecF x, y;             // at, in float
+    VecF z, inv_z;         // 1 where there is no surface
+    std::uint32_t number;  // of the vector in the surface
+};
+
+class SubtileResolve {
+public:
+    SubtileResolve(const ResolveView& view, int x, int y, const TileBuffer& tile, Surface& surface)
+        : view_(view), x_(x), y_(y), tile_(tile), out_(surface) {}
+
+    void run(int subtile) {
+        out_.vectors = 0;
+        out_.parts.clear();
+        out_.open.clear();
+        const int sx = (subtile % 4) * subtile_side, sy = (subtile / 4) * subtile_side;
+        for (int row = 0; row < subtile_side; row += block_side)
+            for (int column = 0; column < subtile_side; column += block_side)
+                for (int v = 0; v < block_samples / N; ++v)
+                    resolve_vector(sx + column, sy + row, v);
+    }
+
+private:
+    void resolve_vector(int column, int row, int v) {
+        const int at = tile_index(column, row) + v * N;
+        const VecI ref = hn::Load(tag_i, as_int(tile_.ref + at));
+        const MaskI covered = hn::Ne(ref, hn::Set(tag_i, std::int32_t(no_ref)));
+        std::uint32_t pending = mask_bits(tag_i, covered);
+        if (pending == 0) return;
+        const std::uint32_t number = out_.vectors++;
+        out_.tile_at[number] = std::uint16_t(at);
+        const MaskF seen = hn::RebindMask(tag_f, covered);
+        const VecF one = hn::Set(tag_f, 1.0f);
+        store(out_.counted, number, hn::IfThenElseZero(seen, one));
+
+        Samples s;
+        s.at = block_positions(x_ + column, y_ + row, v);
+        s.x = to_float(s.at.x), s.y = to_float(s.at.y);
+        s.z = hn::IfThenElse(seen, hn::Load(tag_f, tile_.depth + at), one);
+        s.inv_z = reciprocal(Lanes(s.z)).v;
+        s.number = number;
+        if (view_.position_from_depth) recover_position(s);
+        first_part_ = out_.parts.size();
+        while (pending != 0) {
+            const std::uint32_t first = tile_.ref[at + __builtin_ctz(pending)];
+            const std::uint32_t lanes =
+                pending & ((first & record_bit) != 0 ? resolve_record(s, ref, first, pending)
+                                                     : resolve_batch(s, ref, first, pending));
+            pending &= ~lanes;
+        }
+    }
+
+    /// The lanes whose number in `numbers` is `number`, of those pending.
+    static MaskI lanes_of(VecI numbers, std::uint32_t number, std::uint32_t pending) {
+        const std::uint8_t bytes[8] = {std::uint8_t(pending), std::uint8_t(pending >> 8)};
+        return hn::And(hn::Eq(numbers, hn::Set(tag_i, std::int32_t(number))),
+                       hn::LoadMaskBits(tag_i, bytes));
+    }
+
+    // ---- triangles of batches
+    std::uint32_t resolve_batch(const Samples& s, VecI ref, std::uint32_t first,
+                                std::uint32_t pending) {
+        constexpr int shift = N == 16 ? 4 : N == 8 ? 3 : N == 4 ? 2 : N == 2 ? 1 : 0;
+        const std::uint32_t number = first >> shift;
+        const MaskI mask = lanes_of(hn::ShiftRight<shift>(ref), number, pending);
+        const std::uint32_t lanes = mask_bits(tag_i, mask);
+        const BatchInfo& info = view_.raster.batches->info(number);
+        if (view_.objects[info.object].scalar) {
+            leave_open(s, lanes, info.material, view_.objects[info.object].shading);
+            return lanes;
+        }
+        const BatchLookup batch(view_.raster.batches->batch(number), ref, s);
+        const bool all = lanes == pending && pending == full;
+        resolve_values(s, batch, info, hn::RebindMask(tag_f, mask), all);
+        add_part(s.number, lanes, info.material, view_.objects[info.object].shading);
+        return lanes;
+    }
+
+    /// Rows of a batch at the triangles of the samples.
+    class BatchLookup {
+    public:
+        BatchLookup(const float* batch, VecI ref, const Samples& s)
+            : batch_(batch), lane_(hn::IndicesFromVec(tag_f, hn::And(ref, hn::Set(tag_i, N - 1)))) {
+            x_ = hn::Sub(s.x, row(row_origin_x));
+            y_ = hn::Sub(s.y, row(row_origin_y));
+        }
+        VecF row(int r) const {
+            return hn::TableLookupLanes(hn::Load(tag_f, batch_ + r * N), lane_);
+        }
+        VecF plane(int r) const {
+            return hn::MulAdd(row(r + 1), x_, hn::MulAdd(row(r + 2), y_, row(r)));
+        }
+
+    private:
+        const float* batch_;
+        decltype(hn::IndicesFromVec(tag_f, VecI())) lane_;
+        VecF x_, y_;
+    };
+
+    void resolve_values(const Samples& s, const BatchLookup& batch, const BatchInfo& info,
+                        MaskF mask, bool all) {
+        const Attributes& at = view_.attributes;
+        const Shading shading = view_.objects[info.object].shading;
+        const ResolveMaterial& material = view_.materials[info.material];
+        const VecF unscale = view_.affine ? hn::Set(tag_f, 1.0f) : s.inv_z;
+        if (shading == Shading::phong && material.reads_normal) {
+            VecF n[3];
+            for (int c = 0; c < 3; ++c) n[c] = batch.plane(at.main + 3 * c);
+            note_zero_normals(s, n, mask);
+            for (int c = 0; c < 3; ++c) put(out_.normal[c], s.number, n[c], mask, all);
+        }
+        if (shading == Shading::phong && at.position >= 0)
+            for (int c = 0; c < 3; ++c)
+                put(out_.position[c], s.number, hn::Mul(batch.plane(at.position + 3 * c), unscale),
+                    mask, all);
+        if (shading != Shading::phong) resolve_lit(s, batch, shading, material, unscale, mask, all);
+        if (material.textured) resolve_texture(s, batch, unscale, mask, all);
+    }
+
+    /// u = U/z, and ∂u/∂x = (∂U/∂x − u ∂z/∂x)/z, z as good as any multiple of 1/w.
+    void resolve_texture(const Samples& s, const BatchLookup& batch, VecF unscale, MaskF mask,
+                         bool all) {
+        const VecF spacing = hn::Set(tag_f, view_.sample_spacing);
+        for (int c = 0; c < 2; ++c) {
+            const int row = view_.attributes.texcoord + 3 * c;
+            const VecF u = hn::Mul(batch.plane(row), unscale);
+            put(out_.texcoord[c], s.number, u, mask, all);
+            for (int axis = 0; axis < 2; ++axis) {
+                VecF step = batch.row(row + 1 + axis);
+                if (!view_.affine) step = hn::NegMulAdd(u, batch.row(row_depth + 1 + axis), step);
+                step = hn::Mul(hn::Mul(step, unscale), spacing);
+                // Levels follow the mapping in perspective, which `edges` does not have.
+                if (view_.affine && !view_.raster.orthographic) step = not_a_number();
+                put(out_.texstep[2 * axis + c], s.number, step, mask, all);
+            }
+        }
+    }
+
+    static VecF not_a_number() { return hn::Set(tag_f, std::numeric_limits<float>::quiet_NaN()); }
+
+    void resolve_lit(const Samples& s, const BatchLookup& batch, Shading shading,
+                     const ResolveMaterial& material, VecF unscale, MaskF mask, bool all) {
+        const Attributes& at = view_.attributes;
+        const auto value = [&](int row) HWY_ATTR {
+            return shading == Shading::flat ? batch.row(row) : hn::Mul(batch.plane(row), unscale);
+        };
+        for (int c = 0; c < 3; ++c) {
+            put(out_.radiance[c], s.number, value(at.main + 3 * c), mask, all);
+            if (material.textured) put(out_.dark[c], s.number, value(at.dark + 3 * c), mask, all);
+        }
+    }
+
+    // ---- records
+    std::uint32_t resolve_record(const Samples& s, VecI ref, std::uint32_t first,
+                                 std::uint32_t pending) {
+        const MaskI mask = lanes_of(ref, first, pending);
+        const std::uint32_t lanes = mask_bits(tag_i, mask);
+        const Record& r = view_.raster.records[first & ~record_bit];
+        const Shading shading = view_.objects[r.object].shading;
+        if (r.depth == Record::Depth::scalar || view_.objects[r.object].scalar) {
+            leave_open(s, lanes, r.material, shading);
+            return lanes;
+        }
+        VecF w[3];
+        record_weights(s, r, w);
+        resolve_record_values(s, r, w, hn::RebindMask(tag_f, mask),
+                              lanes == pending && pending == full);
+        add_part(s.number, lanes, r.material, shading);
+        return lanes;
+    }
+
+    /// Weights of the corners, sum 1.
+    void record_weights(const Samples& s, const Record& r, VecF (&w)[3]) {
+        if (r.depth == Record::Depth::clipped) return clipped_record_weights(s, r, w);
+        triangle_weights(r, s.at, w);
+        if (r.affine) return;
+        for (int i = 0; i < 3; ++i) w[i] = hn::Mul(w[i], hn::Set(tag_f, r.corner_depth[i]));
+        const VecF scale = reciprocal(Lanes(hn::Add(hn::Add(w[0], w[1]), w[2]))).v;
+        for (int i = 0; i < 3; ++i) w[i] = hn::Mul(w[i], scale);
+    }
+
+    void clipped_record_weights(const Samples& s, const Record& r, VecF (&w)[3]) {
+        const WidePositions wide(s.at);
+        alignas(64) float out[3][N];
+        for (int part = 0; part < N; part += N64) {
+            Lanes64 lambda[3];
+            clipped_weights(view_.raster, r, widen(wide.x + part), widen(wide.y + part), lambda);
+            if (r.affine)
+                for (int i = 0; i < 3; ++i) lambda[i] = lambda[i] * Lanes64(double(r.corner_w[i]));
+            const Lanes64 sum = lambda[0] + lambda[1] + lambda[2];
+            for (int i = 0; i < 3; ++i) store_narrow(lambda[i] / sum, out[i] + part);
+        }
+        for (int i = 0; i < 3; ++i) w[i] = hn::Load(tag_f, out[i]);
+    }
+
+    void resolve_record_values(const Samples& s, const Record& r, const VecF (&w)[3], MaskF mask,
+                               bool all) {
+        const Shading shading = view_.objects[r.object].shading;
+        const ResolveMaterial& material = view_.materials[r.material];
+        const auto sum = [&](float a, float b, float c) HWY_ATTR {
+            return hn::MulAdd(
+                w[0], hn::Set(tag_f, a),
+                hn::MulAdd(w[1], hn::Set(tag_f, b), hn::Mul(w[2], hn::Set(tag_f, c))));
+        };
+        const auto main = [&](const float(&m)[3][3], int c) HWY_ATTR {
+            return shading == Shading::flat ? hn::Set(tag_f, m[0][c])
+                                            : sum(m[0][c], m[1][c], m[2][c]);
+        };
+        if (shading == Shading::phong) {
+            const VecF n[3] = {main(r.main, 0), main(r.main, 1), main(r.main, 2)};
+            if (material.reads_normal) note_zero_normals(s, n, mask);
+            for (int c = 0; c < 3; ++c) put(out_.normal[c], s.number, n[c], mask, all);
+            if (!view_.position_from_depth)
+                for (int c = 0; c < 3; ++c)
+                    put(out_.position[c], s.number,
+                        sum(r.position[0][c], r.position[1][c], r.position[2][c]), mask, all);
+        } else {
+            for (int c = 0; c < 3; ++c) {
+                put(out_.radiance[c], s.number, main(r.main, c), mask, all);
+                if (material.textured) put(out_.dark[c], s.number, main(r.dark, c), mask, all);
+            }
+        }
+        if (material.textured)
+            for (int c = 0; c < 2; ++c)
+                put(out_.texcoord[c], s.number,
+                    sum(r.texcoord[0][c], r.texcoord[1][c], r.texcoord[2][c]), mask, all);
+        if (material.textured) put(out_.texstep[0], s.number, not_a_number(), mask, all);
+    }
+
+    // ---- both
+    void recover_position(const Samples& s) {
+        const ResolveView& v = view_;
+        const VecF near = hn::Set(tag_f, v.raster.near);
+        VecF d = hn::Mul(near, s.inv_z);
+        if (v.raster.orthographic) {
+            const VecF range = hn::Set(tag_f, 2 * (v.raster.far - v.raster.near));
+            d = hn::MulAdd(hn::Sub(hn::Set(tag_f, 1.0f), s.z), range, near);
+        }
+        for (int c = 0; c < 3; ++c) {
+            const VecF ray =
+                hn::MulAdd(s.x, hn::Set(tag_f, v.ray_x[c]),
+                           hn::MulAdd(s.y, hn::Set(tag_f, v.ray_y[c]), hn::Set(tag_f, v.ray[c])));
+            const VecF eye = hn::Set(tag_f, v.eye[c]);
+            store(out_.position[c], s.number,
+                  v.raster.orthographic ? hn::MulAdd(d, eye, ray) : hn::MulAdd(d, ray, eye));
+        }
+    }
+
+    void note_zero_normals(const Samples& s, const VecF (&n)[3], MaskF mask) {
+        const VecF n2 = hn::MulAdd(n[0], n[0], hn::MulAdd(n[1], n[1], hn::Mul(n[2], n[2])));
+        const VecF least = hn::Mul(hn::Set(tag_f, shortest_normal2), hn::Mul(s.z, s.z));
+        const MaskF zero = hn::AndNot(hn::Gt(n2, least), mask);
+        if (hn::AllFalse(tag_f, zero)) return;
+        for_each_lane(mask_bits(tag_f, zero), [&](std::uint32_t lane) {
+            out_.open.push_back({s.number * std::uint32_t(N) + lane, ref_at(s, lane), true});
+        });
+    }
+
+    void leave_open(const Samples& s, std::uint32_t lanes, std::uint32_t material,
+                    Shading shading) {
+        for_each_lane(lanes, [&](std::uint32_t lane) {
+            out_.open.push_back({s.number * std::uint32_t(N) + lane, ref_at(s, lane), false});
+        });
+        add_part(s.number, lanes, material, shading);
+    }
+
+    std::uint32_t ref_at(const Samples& s, std::uint32_t lane) const {
+        return tile_.ref[out_.tile_at[s.number] + lane];
+    }
+
+    void add_part(std::uint32_t vector, std::uint32_t lanes, std::uint32_t material,
+                  Shading shading) {
+        const bool lit = shading != Shading::phong;
+        for (std::size_t i = first_part_; i < out_.parts.size(); ++i) {
+            Surface::Part& part = out_.parts[i];
+            if (part.material != material || part.lit != lit) continue;
+            part.lanes |= lanes;
+            return;
+        }
+        out_.parts.push_back({vector, lanes, material, lit});
+    }
+
+    static void store(float* to, std::uint32_t vector, VecF v) {
+        hn::Store(v, tag_f, to + vector * std::uint32_t(N));
+    }
+    static void put(float* to, std::uint32_t vector, VecF v, MaskF mask, bool all) {
+        if (all)
+            store(to, vector, v);
+        else
+            hn::BlendedStore(v, mask, tag_f, to + vector * std::uint32_t(N));
+    }
+
+    static constexpr std::uint32_t full = (1u << N) - 1;
+    const ResolveView& view_;
+    const int x_, y_;
+    const TileBuffer& tile_;
+    Surface& out_;
+    std::size_t first_part_ = 0;
+};
+
+void resolve_here(const ResolveView& view, int x, int y, int subtile, const TileBuffer& tile,
+                  Surface& surface) {
+    SubtileResolve(view, x, y, tile, surface).run(subtile);
+}
+
+SCANSHADE_TARGET_END;
+
+#if HWY_ONCE
+namespace scanshade {
+
+HWY_EXPORT(resolve_here);
+
+void resolve_subtile(const ResolveView& view, int x, int y, int subtile, const TileBuffer& tile,
+                     Surface& surface) {
+    HWY_DYNAMIC_DISPATCH(resolve_here)(view, x, y, subtile, tile, surface);
+}
+
+}  // namespace scanshade
+#endif

@@ -1,0 +1,95 @@
+// What the kernels of the vector renderer share: tags, lanes of doubles, walking over masks.
+#if defined(SCANSHADE_KERNELS_VECTORS_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef SCANSHADE_KERNELS_VECTORS_HPP
+#undef SCANSHADE_KERNELS_VECTORS_HPP
+#else
+#define SCANSHADE_KERNELS_VECTORS_HPP
+#endif
+
+#include <hwy/highway.h>
+
+#include "scanshade/num/lanes.hpp"
+
+SCANSHADE_TARGET_BEGIN;
+
+using TagF = Lanes::Tag;
+using TagI = hn::RebindToSigned<TagF>;
+using VecF = hn::Vec<TagF>;
+using VecI = hn::Vec<TagI>;
+using MaskF = hn::Mask<TagF>;
+using MaskI = hn::Mask<TagI>;
+constexpr TagF tag_f;
+constexpr TagI tag_i;
+constexpr int N = int(hn::MaxLanes(TagF()));
+
+inline const std::int32_t* as_int(const std::uint32_t* p) {
+    return reinterpret_cast<const std::int32_t*>(p);
+}
+inline std::int32_t* as_int(std::uint32_t* p) { return reinterpret_cast<std::int32_t*>(p); }
+
+inline VecF to_float(VecI v) { return hn::ConvertTo(tag_f, v); }
+
+/// One bit a lane.
+template <class Mask, class Tag>
+std::uint32_t mask_bits(Tag tag, Mask mask) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(tag, mask, bytes);
+    return bytes[0] | std::uint32_t(bytes[1]) << 8;
+}
+
+/// Calls visit(lane) for each lane of a mask, ascending.
+template <class Visit>
+void for_each_lane(std::uint32_t bits, Visit&& visit) {
+    for (; bits != 0; bits &= bits - 1) visit(std::uint32_t(__builtin_ctz(bits)));
+}
+template <class Visit>
+void for_each_lane(MaskI mask, Visit&& visit) {
+    for_each_lane(mask_bits(tag_i, mask), visit);
+}
+
+/// Writes the lanes of a mask one after another; what follows them up to N is overwritten, too.
+inline std::uint32_t compress_append(VecI v, MaskI mask, std::int32_t* to) {
+    hn::StoreU(hn::Compress(v, mask), tag_i, to);
+    return std::uint32_t(hn::CountTrue(tag_i, mask));
+}
+
+/// As many doubles as a register has, at most N.
+constexpr int N64 = N > 1 ? N / 2 : 1;
+using Tag64 = hn::CappedTag<double, N64>;
+constexpr Tag64 tag_64;
+
+class Lanes64 {
+public:
+    Lanes64() = default;
+    explicit Lanes64(hn::Vec<Tag64> value) : v(value) {}
+    explicit Lanes64(double value) : v(hn::Set(tag_64, value)) {}
+    explicit Lanes64(int value) : v(hn::Set(tag_64, double(value))) {}
+    hn::Vec<Tag64> v;
+};
+inline Lanes64 operator+(Lanes64 a, Lanes64 b) { return Lanes64(hn::Add(a.v, b.v)); }
+inline Lanes64 operator-(Lanes64 a, Lanes64 b) { return Lanes64(hn::Sub(a.v, b.v)); }
+inline Lanes64 operator*(Lanes64 a, Lanes64 b) { return Lanes64(hn::Mul(a.v, b.v)); }
+inline Lanes64 operator/(Lanes64 a, Lanes64 b) { return Lanes64(hn::Div(a.v, b.v)); }
+template <>
+struct RealTraits<Lanes64> {
+    using Scalar = double;
+    static constexpr std::size_t width = std::size_t(N64);
+};
+
+inline Lanes64 widen(const std::int32_t* from) {
+    constexpr hn::Rebind<std::int32_t, Tag64> half;
+    return Lanes64(hn::PromoteTo(tag_64, hn::LoadU(half, from)));
+}
+inline Lanes64 widen(const float* from) {
+    constexpr hn::Rebind<float, Tag64> half;
+    return Lanes64(hn::PromoteTo(tag_64, hn::LoadU(half, from)));
+}
+/// Rounded to nearest.
+inline void store_narrow(Lanes64 v, float* to) {
+    constexpr hn::Rebind<float, Tag64> half;
+    hn::StoreU(hn::DemoteTo(half, v.v), half, to);
+}
+
+SCANSHADE_TARGET_END;
+
+#endif

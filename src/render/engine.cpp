@@ -1,0 +1,315 @@
+#include "render/engine.hpp"
+
+#include <algorithm>
+
+#include "render/engine_pass.hpp"
+#include "render/visibility.hpp"
+#include "scanshade/base/parallel.hpp"
+
+namespace scanshade {
+namespace {
+
+int tiles_along(int size, int tile) { return (size + tile - 1) / tile; }
+
+}  // namespace
+
+Engine::State::State(const Scene& normalised_scene, const RenderPlan& plan)
+    : scene(normalised_scene) {
+    const int threads = plan.threads == 0 ? available_threads() : plan.threads;
+    workers.resize(static_cast<std::size_t>(threads));
+}
+
+Engine::Engine(const Scene& scene, const RenderPlan& plan)
+    : state_(std::make_unique<State>(scene, plan)) {}
+Engine::~Engine() = default;
+
+void Engine::set_up(Frame& frame) {
+    pass_ = std::make_unique<Pass>(*state_, frame);
+    pass_->set_up();
+}
+void Engine::make_records(Frame&) { pass_->make_records(); }
+void Engine::raster(Frame&) { pass_->raster(); }
+void Engine::light_points(Frame&) { pass_->light_points(); }
+void Engine::shade(Frame&) { pass_->shade(); }
+void Engine::draw_background(Frame& frame) {
+    // Without a triangle no stage before this one runs.
+    if (frame.plan.triangles == 0) {
+        pass_ = std::make_unique<Pass>(*state_, frame);
+        pass_->set_up();
+    }
+    pass_->draw_background();
+}
+
+Engine::Pass::Pass(State& state, Frame& frame)
+    : state_(state),
+      frame_(frame),
+      shading_(frame),
+      cull_(frame.view),
+      tile_(frame.plan.tile),
+      tiles_x_(tiles_along(frame.view.width, tile_)),
+      tiles_y_(tiles_along(frame.view.height, tile_)),
+      light_(shading_, state.scene, state.batches, state.records) {
+    make_setup_view();
+    make_objects();
+    make_resolve_view();
+    make_lights();
+}
+
+// ---- set-up
+
+void Engine::Pass::reset_workers() {
+    for (EngineWorker& worker : state_.workers) {
+        worker.setup.small.reset(tile_count());
+        worker.setup.medium.reset(tile_count());
+        worker.setup.special.clear();
+        worker.setup.next_batch = worker.setup.last_batch = 0;
+        worker.setup.events = {};
+        worker.records.reset(tile_count());
+        worker.events = {};
+        worker.saved = {};
+        worker.covered = worker.triangles = worker.tiles = 0;
+        worker.shader = std::make_unique<TileShader>(shading_);
+    }
+}
+
+void Engine::Pass::reset_batches() {
+    const auto lanes = static_cast<std::uint32_t>(vector_lanes());
+    std::size_t most = 0;
+    for (const EngineObject& object : state_.scene.objects)
+        for (const Cluster& cluster : object.mesh->clusters)
+            most += (cluster.triangle_count + lanes - 1) / lanes;
+    // Runs that workers leave unfinished.
+    most += batch_run * state_.workers.size();
+    state_.batches.reset(most, setup_.attributes.rows, int(lanes));
+}
+
+void Engine::Pass::set_up() {
+    reset_workers();
+    reset_batches();
+    for (std::size_t i = 0; i < objects_.size(); ++i) {
+        if (by_faces(i)) {
+            add_faces(i);
+            continue;
+        }
+        parallel_for(state_.scene.objects[i].bounds.size(), 16, frame_.plan.threads,
+                     [&](std::size_t begin, std::size_t end, int w) {
+                         for (std::size_t c = begin; c < end; ++c) set_up_cluster(i, c, worker(w));
+                     });
+    }
+    for (const EngineWorker& worker : state_.workers) {
+        // What is left of the run that the worker took.
+        for (std::uint32_t b = worker.setup.next_batch; b < worker.setup.last_batch; ++b)
+            state_.batches.info(b).count = 0;
+        frame_.items += worker.triangles;
+    }
+}
+
+void Engine::Pass::set_up_cluster(std::size_t object, std::size_t number, EngineWorker& worker) {
+    const ClusterBounds& bounds = state_.scene.objects[object].bounds[number];
+    const Cluster& cluster = objects_[object].mesh->clusters[number];
+    const auto save = [&](PlanRow row, std::uint64_t amount) {
+        worker.saved[std::size_t(row)] += amount;
+    };
+    if (leaves_out(PlanRow::clusters_outside) && cull_.outside(bounds))
+        return save(PlanRow::clusters_outside, cluster.triangle_count);
+    if (leaves_out(PlanRow::clusters_facing_away) && cull_.facing_away(bounds))
+        return save(PlanRow::clusters_facing_away, cluster.triangle_count);
+    const bool clip = !(leaves_out(PlanRow::clipping) && cull_.unclipped(bounds));
+    if (!clip) save(PlanRow::clipping, cluster.vertex_count);
+    const SetupMaterial& material = objects_[object].material[cluster.material];
+    if (!material.store_normals) save(PlanRow::normals, cluster.triangle_count);
+    if (!material.store_texcoords) save(PlanRow::texcoords, cluster.triangle_count);
+    worker.triangles += cluster.triangle_count;
+    setup_cluster(setup_, objects_[object], static_cast<std::uint32_t>(number), clip,
+                  state_.batches, worker.setup);
+}
+
+/// In `edges`, faces of more than three corners are drawn whole.
+bool Engine::Pass::by_faces(std::size_t object) const {
+    return frame_.plan.interpolation == Interpolation::edges &&
+           frame_.scene.objects[object].mesh->has_polygons;
+}
+
+void Engine::Pass::add_faces(std::size_t object) {
+    parallel_for(frame_.scene.objects[object].mesh->face_count(), 64, frame_.plan.threads,
+                 [&](std::size_t begin, std::size_t end, int w) {
+                     RecordMaker maker(frame_, shading_.surfaces, tile_, tiles_x_,
+                                       worker(w).records, worker(w).events);
+                     for (std::size_t face = begin; face < end; ++face)
+                         maker.add_face(object, face);
+                     worker(w).triangles += end - begin;
+                 });
+}
+
+/// Records of what set-up left over, all in one array.
+void Engine::Pass::make_records() {
+    parallel_for(state_.workers.size(), 1, frame_.plan.threads,
+                 [&](std::size_t begin, std::size_t end, int) {
+                     for (std::size_t w = begin; w < end; ++w) make_records(state_.workers[w]);
+                 });
+    state_.records.clear();
+    state_.first_record.clear();
+    for (const EngineWorker& worker : state_.workers) {
+        state_.first_record.push_back(static_cast<std::uint32_t>(state_.records.size()));
+        state_.records.insert(state_.records.end(), worker.records.records.begin(),
+                              worker.records.records.end());
+    }
+    shading_.resolve.raster.records = state_.records.data();
+    frame_.items += state_.records.size();
+}
+
+void Engine::Pass::make_records(EngineWorker& worker) {
+    RecordMaker maker(frame_, shading_.surfaces, tile_, tiles_x_, worker.records, worker.events);
+    for (const SpecialTriangle& special : worker.setup.special)
+        maker.add_triangle(special.object, special.triangle);
+}
+
+// ---- tiles
+
+bool Engine::Pass::left_empty(std::size_t tile) const {
+    return leaves_out(PlanRow::empty_tiles) &&
+           std::all_of(state_.workers.begin(), state_.workers.end(), [&](const EngineWorker& w) {
+               return w.setup.small.empty(tile) && w.setup.medium.empty(tile) &&
+                      w.records.lists.empty(tile);
+           });
+}
+
+/// Calls draw(number, x, y, worker) for each tile that something may touch.
+template <class Draw>
+void Engine::Pass::each_tile(Draw&& draw) {
+    parallel_for(tile_count(), 1, frame_.plan.threads,
+                 [&](std::size_t begin, std::size_t end, int w) {
+                     for (std::size_t tile = begin; tile < end; ++tile) {
+                         if (left_empty(tile)) continue;
+                         draw(tile, int(tile % std::size_t(tiles_x_)) * tile_,
+                              int(tile / std::size_t(tiles_x_)) * tile_, worker(w));
+                     }
+                 });
+}
+
+void Engine::Pass::raster() {
+    rastered_ = true;
+    light_.reset();
+    state_.tiles.resize(tile_count());
+    each_tile([&](std::size_t tile, int x, int y, EngineWorker& worker) {
+        std::unique_ptr<TileBuffer>& buffer = state_.tiles[tile];
+        if (!buffer) buffer = std::make_unique<TileBuffer>();
+        raster_tile(tile, x, y, *buffer);
+        if (leaves_out(PlanRow::unseen_points)) light_.see(*buffer);
+        ++worker.tiles;
+    });
+    for (const EngineWorker& worker : state_.workers) frame_.items += worker.tiles;
+}
+
+void Engine::Pass::light_points() {
+    if (!leaves_out(PlanRow::unseen_points)) light_.see_all();
+    const EngineLight::Counts points = light_.light(frame_.events);
+    frame_.items += points.lit;
+    frame_.saved[std::size_t(PlanRow::unseen_points)] += points.all - points.lit;
+}
+
+void Engine::Pass::shade() {
+    each_tile([&](std::size_t tile, int x, int y, EngineWorker& worker) {
+        if (!rastered_) raster_tile(tile, x, y, *worker.tile);
+        worker.covered +=
+            worker.shader->shade(x, y, rastered_ ? *state_.tiles[tile] : *worker.tile);
+    });
+    for (EngineWorker& worker : state_.workers) {
+        frame_.items += worker.covered;
+        frame_.events += worker.setup.events;
+        frame_.events += worker.events;
+        frame_.events += worker.shader->events;
+        for (std::size_t row = 0; row < plan_row_count; ++row)
+            frame_.saved[row] += worker.saved[row] + worker.shader->saved[row];
+    }
+}
+
+void Engine::Pass::draw_background() {
+    std::size_t tiles = 0;
+    for (std::size_t tile = 0; tile < tile_count(); ++tile) tiles += left_empty(tile);
+    parallel_for(tile_count(), 16, frame_.plan.threads,
+                 [&](std::size_t begin, std::size_t end, int) {
+                     for (std::size_t tile = begin; tile < end; ++tile)
+                         if (left_empty(tile) || frame_.plan.triangles == 0)
+                             write_empty(int(tile % std::size_t(tiles_x_)) * tile_,
+                                         int(tile / std::size_t(tiles_x_)) * tile_);
+                 });
+    frame_.items += tiles;
+    frame_.saved[std::size_t(PlanRow::empty_tiles)] += tiles;
+}
+
+void Engine::Pass::write_empty(int x, int y) const {
+    const PictureView& picture = frame_.picture;
+    write_background(picture, x, y, tile_, tile_);
+    if (picture.id == nullptr || !frame_.first_sample) return;
+    for (int row = y; row < std::min(y + tile_, picture.height); ++row) {
+        const std::size_t from = std::size_t(row) * std::size_t(picture.width) + std::size_t(x);
+        const int columns = std::min(tile_, picture.width - x);
+        std::fill_n(picture.depth + from, columns, 0.0f);
+        std::fill_n(picture.id + from, columns, Framebuffer::no_triangle);
+    }
+}
+
+/// Records first: what they know of whole subtiles hides others.
+void Engine::Pass::raster_tile(std::size_t number, int x, int y, TileBuffer& tile) {
+    const RasterView& view = shading_.resolve.raster;
+    clear_tile(tile);
+    for (std::size_t w = 0; w < state_.workers.size(); ++w) {
+        const RecordList& list = state_.workers[w].records;
+        list.lists.each(number, [&](const std::uint32_t* records, std::uint32_t count) {
+            for (std::uint32_t i = 0; i < count; ++i)
+                raster_record_in(list, state_.first_record[w] + records[i], x, y, tile);
+        });
+    }
+    for (const EngineWorker& worker : state_.workers)
+        worker.setup.medium.each(number, [&](const std::uint32_t* refs, std::uint32_t count) {
+            raster_medium(view, x, y, refs, count, tile);
+        });
+    for (const EngineWorker& worker : state_.workers)
+        worker.setup.small.each(number, [&](const std::uint32_t* refs, std::uint32_t count) {
+            raster_small(view, x, y, refs, count, tile);
+        });
+    complete_tile(view, x, y, tile);
+}
+
+void Engine::Pass::raster_record_in(const RecordList& list, std::uint32_t record, int x, int y,
+                                    TileBuffer& tile) {
+    const RasterView& view = shading_.resolve.raster;
+    const Record& r = state_.records[record];
+    if (r.coverage == Record::Coverage::edges) return raster_record(view, x, y, record, tile);
+    std::uint64_t rows[tile_side] = {};
+    cover_rows(std::span(list.points).subspan(r.first_point, r.point_count), x, y, rows);
+    float depth[tile_samples];
+    const bool scalar = r.depth == Record::Depth::scalar;
+    if (scalar) scalar_depths(r, rows, x, y, depth);
+    raster_rows(view, x, y, record, rows, scalar ? depth : nullptr, tile);
+}
+
+/// The samples of a tile that a polygon covers, by the scanline walker.
+void Engine::Pass::cover_rows(std::span<const SnappedPoint> polygon, int x, int y,
+                              std::uint64_t (&rows)[tile_side]) const {
+    std::vector<SnappedPoint> moved(polygon.begin(), polygon.end());
+    for (SnappedPoint& p : moved) p = {p.x - x * subpixels, p.y - y * subpixels};
+    PolygonWalker walker;
+    walker.walk(moved, twice_area(moved) > 0, frame_.sample, std::min(tile_, frame_.view.width - x),
+                std::min(tile_, frame_.view.height - y), [&](int row, int begin, int end) {
+                    const std::uint64_t upto_end = end == 64 ? ~0ull : (1ull << end) - 1;
+                    rows[row] |= upto_end & ~((1ull << begin) - 1);
+                });
+}
+
+/// Depths by the scalar renderers' own function, at the covered samples.
+void Engine::Pass::scalar_depths(const Record& record, const std::uint64_t (&rows)[tile_side],
+                                 int x, int y, float (&depth)[tile_samples]) const {
+    DrawnFace face;
+    describe_drawn(frame_, record.id, face);
+    std::fill(std::begin(depth), std::end(depth), 0.0f);
+    for (int row = 0; row < tile_side; ++row)
+        for (std::uint64_t bits = rows[row]; bits != 0; bits &= bits - 1) {
+            const int column = __builtin_ctzll(bits);
+            depth[tile_index(column, row)] =
+                depth_at(face, frame_, sample_point(x + column, y + row, frame_.sample));
+        }
+}
+
+}  // namespace scanshade

@@ -1,0 +1,81 @@
+#include "render/engine_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+
+#include "render/surface.hpp"
+
+namespace scanshade {
+namespace {
+
+/// Bounds of a cluster after a linear map. The cone survives rotation, reflection and equal scaling;
+/// otherwise nothing is said of the sides.
+ClusterBounds world_bounds(const Cluster& cluster, const glm::dmat3& linear,
+                           const glm::dvec3& origin) {
+    const glm::dmat3 gram = glm::transpose(linear) * linear;
+    const double scale2 = gram[0][0];
+    double off = 0;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            off = std::max(off, std::abs(gram[i][j] - (i == j ? scale2 : 0)));
+    const bool similar = off <= 1e-6 * scale2;
+    // A bound of the largest stretch: the matrix' Frobenius norm, or the scale where there is one.
+    const double stretch =
+        similar ? std::sqrt(scale2) : std::sqrt(gram[0][0] + gram[1][1] + gram[2][2]);
+    const auto map = [&](const std::array<float, 3>& v) {
+        return linear * glm::dvec3(double(v[0]), double(v[1]), double(v[2]));
+    };
+    ClusterBounds out{};
+    out.centre = glm::vec3(map(cluster.centre) + origin);
+    out.radius = float(double(cluster.radius) * stretch * (1 + 1e-5) + 1e-6);
+    out.sin_cone = similar ? cluster.sin_cone : 1.0f;
+    // A reflection turns normals as it turns positions, times the sign of its determinant; what is
+    // asked is the side that the picture shows, and that goes with it.
+    out.axis = similar ? glm::vec3(map(cluster.axis) / std::sqrt(scale2)) : glm::vec3(0);
+    out.least_height = similar ? float(double(cluster.least_height) * std::sqrt(scale2)) : 0.0f;
+    return out;
+}
+
+EngineObject make_object(const Object& object) {
+    EngineObject out{};
+    out.mesh = &clusters_of(*object.mesh);
+    const ObjectSurface surface(object);
+    const std::size_t slots = out.mesh->x.size();
+    for (auto& axis : out.normal) axis.reserve(slots);
+    for (const std::uint32_t v : out.mesh->vertex) {
+        const glm::dvec3 n = surface.vertex_normal(v);
+        for (int c = 0; c < 3; ++c) out.normal[c].push_back(float(n[c]));
+    }
+    const glm::dmat3 linear = glm::dmat3(object.to_world) * object.mesh->unit;
+    const glm::dvec3 origin =
+        glm::dmat3(object.to_world) * object.mesh->origin + glm::dvec3(object.to_world[3]);
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column)
+            out.to_world[row][column] = float(linear[column][row]);
+        out.to_world[row][3] = float(origin[row]);
+    }
+    for (const Cluster& cluster : out.mesh->clusters)
+        out.bounds.push_back(world_bounds(cluster, linear, origin));
+    return out;
+}
+
+}  // namespace
+
+EngineScene::EngineScene(const Scene& scene) : light_distance(INFINITY) {
+    for (const Object& object : scene.objects) {
+        objects.push_back(make_object(object));
+        clusters += objects.back().bounds.size();
+    }
+    for (const Light& light : scene.lights) {
+        if (light.kind == LightKind::directional) continue;
+        for (const EngineObject& object : objects)
+            for (const ClusterBounds& b : object.bounds)
+                light_distance =
+                    std::min(light_distance, glm::distance(light.position, glm::dvec3(b.centre)) -
+                                                 double(b.radius));
+    }
+    light_distance = std::max(light_distance, 0.0);
+}
+
+}  // namespace scanshade

@@ -1,0 +1,36 @@
+// What the vector renderer keeps of a scene from frame to frame.
+#pragma once
+
+#include <vector>
+
+#include "kernels/engine_data.hpp"
+#include "scanshade/render/plan.hpp"
+#include "scanshade/scene/scene.hpp"
+
+namespace scanshade {
+
+/// A cluster's sphere and cone in normalised world space.
+struct ClusterBounds {
+    glm::vec3 centre, axis;
+    float radius;
+    float sin_cone;      // 1: no common side
+    float least_height;  // of its triangles
+};
+
+struct EngineObject {
+    const ClusteredMesh* mesh;
+    std::vector<float> normal[3];       // [slot] unit, world
+    std::vector<ClusterBounds> bounds;  // [cluster]
+    float to_world[3][4];               // of the mesh's own units
+};
+
+struct EngineScene {
+    explicit EngineScene(const Scene& normalised_scene);
+
+    std::vector<EngineObject> objects;
+    std::size_t clusters = 0;
+    /// Distance from the nearest light of a place to the clusters' spheres; infinite without one.
+    double light_distance;
+};
+
+}  // namespace scanshade

@@ -1,0 +1,81 @@
+#include "render/light_reach.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scanshade {
+namespace {
+
+/// Nearest and farthest distance along the view of what a tile shows.
+struct Range {
+    double nearest, farthest;
+};
+Range distance_range(const ResolveView& view, const TileBuffer& tile) {
+    float low = 1, high = 0;
+    for (int s = 0; s < TileBuffer::subtiles; ++s) {
+        if (!tile.written[s]) continue;
+        for (int block = 0; block < subtile_samples / block_samples; ++block) {
+            const int at = tile_index((s % 4) * subtile_side + (block % 4) * block_side,
+                                      (s / 4) * subtile_side + (block / 4) * block_side);
+            for (int i = at; i < at + block_samples; ++i) {
+                if (tile.ref[i] == no_ref) continue;
+                low = std::min(low, tile.depth[i]);
+                high = std::max(high, tile.depth[i]);
+            }
+        }
+    }
+    const double near = double(view.raster.near), far = double(view.raster.far);
+    if (view.raster.orthographic) {
+        const auto distance = [&](float z) { return near + (1 - double(z)) * 2 * (far - near); };
+        return {distance(high), distance(low)};
+    }
+    return {near / double(high), near / double(low)};
+}
+
+}  // namespace
+
+TileSphere tile_sphere(const ResolveView& view, int x, int y, const TileBuffer& tile) {
+    const Range range = distance_range(view, tile);
+    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    for (const double d : {range.nearest, range.farthest})
+        for (const int px : {x - 1, x + view.raster.tile})
+            for (const int py : {y - 1, y + view.raster.tile})
+                for (int c = 0; c < 3; ++c) {
+                    const double ray = double(view.ray[c]) + px * double(view.ray_x[c]) +
+                                       py * double(view.ray_y[c]);
+                    const double eye = double(view.eye[c]);
+                    const double p = view.raster.orthographic ? ray + d * eye : eye + d * ray;
+                    low[c] = std::min(low[c], p);
+                    high[c] = std::max(high[c], p);
+                }
+    TileSphere sphere{};
+    double size2 = 0;
+    for (int c = 0; c < 3; ++c) {
+        sphere.centre[c] = (low[c] + high[c]) / 2;
+        size2 += (high[c] - low[c]) * (high[c] - low[c]);
+    }
+    // Positions are float, and what is interpolated may be off by more than what depth says.
+    sphere.radius = std::sqrt(size2) / 2 * (1 + 1e-3) + 1e-4;
+    return sphere;
+}
+
+bool reaches(const LightTerm<float>& light, const TileSphere& sphere) {
+    if (light.emission == LightEmission::uniform) return true;
+    const double s = double(light.point_scale);
+    double along = 0, distance2 = 0;
+    for (int c = 0; c < 3; ++c) {
+        const double v = s * sphere.centre[c] - double(light.position[c]);
+        along += v * double(light.axis[c]);
+        distance2 += v * v;
+    }
+    const double radius = s * sphere.radius;
+    if (light.emission == LightEmission::cosine) return along + radius > 0;
+    const double distance = std::sqrt(distance2);
+    if (distance <= radius) return true;
+    // The cone's rim, widened by what the sphere subtends and by the error of a cosine.
+    const double angle = std::acos(std::clamp(along / distance, -1.0, 1.0));
+    const double rim = std::acos(std::clamp(double(light.cos_cutoff), -1.0, 1.0));
+    return angle - std::asin(radius / distance) <= rim + 1e-3;
+}
+
+}  // namespace scanshade

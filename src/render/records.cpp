@@ -1,0 +1,143 @@
+#include "render/records.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/shade_common.hpp"
+#include "render/visibility.hpp"
+
+namespace scanshade {
+
+void RecordMaker::add_triangle(std::size_t object, std::uint32_t triangle) {
+    describe_triangle(frame_, object, triangle, face_);
+    add();
+}
+
+void RecordMaker::add_face(std::size_t object, std::size_t face) {
+    const Mesh& mesh = *frame_.scene.objects[object].mesh;
+    if (mesh.corner_count(face) > 3) {
+        if (drawn_whole(frame_, object, face)) {
+            describe_whole(frame_, object, face, face_);
+            add();
+            return;
+        }
+        events_.add(Event::edges_fallback);
+    }
+    for (std::uint32_t t = mesh.face_first_triangle[face]; t < mesh.face_first_triangle[face + 1];
+         ++t)
+        add_triangle(object, t);
+}
+
+void RecordMaker::add() {
+    if (face_.empty) {
+        if (face_.outside == 0) events_.add(Event::zero_area);
+        return;
+    }
+    if (!drawn_corners(face_, frame_, events_, point_)) return;
+    if (face_.back && frame_.plan.cull == Cull::back) return;
+    const SampleBox box = sample_box(point_, frame_.sample, frame_.view.width, frame_.view.height);
+    if (box.empty()) return;
+
+    Record r{};
+    r.id = face_.id;
+    r.object = static_cast<std::uint32_t>(face_.object);
+    r.material = material_of(frame_, face_.object, face_.face);
+    r.triangle = face_.id - frame_.plan.objects[face_.object].first_triangle;
+    r.back = face_.back;
+    r.affine = frame_.view.orthographic || frame_.plan.interpolation == Interpolation::edges;
+    r.x0 = box.x0, r.y0 = box.y0, r.x1 = box.x1, r.y1 = box.y1;
+    r.origin_x = box.origin_x(), r.origin_y = box.origin_y();
+    if (face_.carrier == Carrier::triangle) {
+        r.coverage = Record::Coverage::edges;
+        describe_edges(r);
+    } else {
+        r.coverage = Record::Coverage::rows;
+        r.first_point = static_cast<std::uint32_t>(into_.points.size());
+        r.point_count = static_cast<std::uint32_t>(point_.size());
+        into_.points.insert(into_.points.end(), point_.begin(), point_.end());
+    }
+    describe_depth(r);
+    if (r.depth != Record::Depth::scalar) describe_values(r);
+    put_into_tiles(r);
+}
+
+/// Edge functions turned so that they are ≥ 0 inside, with the top-left rule in the constant.
+void RecordMaker::describe_edges(Record& r) const {
+    const bool positive = face_.inv_area > 0;
+    const SnappedPoint origin = {r.origin_x * subpixels + frame_.sample.x,
+                                 r.origin_y * subpixels + frame_.sample.y};
+    const SnappedPoint corner = {frame_.sample.x, frame_.sample.y};
+    for (int k = 0; k < 3; ++k) {
+        const SnappedPoint from = face_.point[k], to = face_.point[(k + 1) % 3];
+        const std::int64_t turn = positive ? 1 : -1;
+        const std::int64_t A = turn * (from.y - to.y), B = turn * (to.x - from.x);
+        const bool top_left = A > 0 || (A == 0 && B > 0);
+        r.edge_x[k] = A;
+        r.edge_y[k] = B;
+        r.edge_c[k] =
+            (turn * edge_function(from, to, origin) - (top_left ? 0 : 1)) >> subpixel_bits;
+        // λ of the corner opposite to the edge, with the sign that the area takes away again.
+        const int opposite = (k + 2) % 3;
+        r.weight_x[opposite] = double(std::int64_t(from.y - to.y) * subpixels);
+        r.weight_y[opposite] = double(std::int64_t(to.x - from.x) * subpixels);
+        r.weight_c[opposite] = double(edge_function(from, to, corner));
+    }
+    r.inv_area = face_.inv_area;
+}
+
+void RecordMaker::describe_depth(Record& r) const {
+    r.nearest = INFINITY;
+    r.farthest = 0;
+    if (face_.carrier == Carrier::polygon) {
+        r.depth = Record::Depth::scalar;
+        return;
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        r.order[i] = face_.order[i];
+        r.corner_depth[i] = face_.state[i].depth;
+        r.corner_w[i] = frame_.view.orthographic ? face_.state[i].clip.d : face_.state[i].clip.w;
+    }
+    if (face_.carrier == Carrier::clipped) {
+        r.depth = Record::Depth::clipped;
+        std::copy(std::begin(face_.edges.a), std::end(face_.edges.a), r.weight_x);
+        std::copy(std::begin(face_.edges.b), std::end(face_.edges.b), r.weight_y);
+        std::copy(std::begin(face_.edges.c), std::end(face_.edges.c), r.weight_c);
+        r.sum_to_inv_w = face_.edges.sum_to_inv_w;
+        // What near or far has cut keeps its homogeneous values; orthographic ones need no factor.
+        r.affine = r.affine && !frame_.view.orthographic && (face_.outside & out_depth) == 0;
+        return;
+    }
+    r.depth = face_.planar ? Record::Depth::plane : Record::Depth::weights;
+    r.plane[0] = face_.depth.c, r.plane[1] = face_.depth.x, r.plane[2] = face_.depth.y;
+    if (face_.planar) return;
+    // Each of the three terms and the two sums may round once.
+    const auto [low, high] = std::minmax_element(r.corner_depth, r.corner_depth + 3);
+    r.nearest = *high * (1 + 0x1p-20f);
+    r.farthest = *low * (1 - 0x1p-20f);
+}
+
+void RecordMaker::describe_values(Record& r) const {
+    const ObjectSurface& surface = surfaces_[face_.object];
+    const Mesh& mesh = *frame_.scene.objects[face_.object].mesh;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t v = face_.vertex[i];
+        const glm::dvec3 n = surface.vertex_normal(v) * (face_.back ? -1.0 : 1.0);
+        const glm::dvec3 p = surface.vertex_position(v);
+        for (int c = 0; c < 3; ++c) {
+            r.main[i][c] = static_cast<float>(n[c]);
+            r.position[i][c] = static_cast<float>(p[c]);
+        }
+        r.texcoord[i][0] = mesh.u[v];
+        r.texcoord[i][1] = mesh.v[v];
+    }
+}
+
+void RecordMaker::put_into_tiles(const Record& r) {
+    const auto number = static_cast<std::uint32_t>(into_.records.size());
+    into_.records.push_back(r);
+    for (int ty = r.y0 / tile_; ty <= r.y1 / tile_; ++ty)
+        for (int tx = r.x0 / tile_; tx <= r.x1 / tile_; ++tx)
+            into_.lists.push(static_cast<std::size_t>(ty * tiles_x_ + tx), number);
+}
+
+}  // namespace scanshade
