@@ -59,6 +59,24 @@ void limit_sum_to_one(const BrdfInfo& brdf, MaterialParams<double>& p) {
 
 }  // namespace
 
+TEST_CASE("cosines keep the half vector's sine where its cosine is 1, and have none for opposites",
+          "[brdf]") {
+    const Vec3<float> n = {0, 0, 1};
+    for (const float theta : {1e-2f, 1e-3f, 1e-4f}) {
+        // Light and viewer lean to the same side by θ and 3 θ, so the half vector by 2 θ.
+        const Vec3<float> wi = {std::sin(theta), 0, std::cos(theta)};
+        const Vec3<float> wo = {std::sin(3 * theta), 0, std::cos(3 * theta)};
+        const Cosines<float> c = cosines(n, wi, wo);
+        CHECK(c.sin2_h == Approx(std::pow(std::sin(2 * double(theta)), 2)).epsilon(1e-5));
+        CHECK(c.s_io == Approx(double(wi.x) * double(wo.x)).epsilon(1e-5));
+        CHECK(c.i_h == Approx(std::cos(double(theta))));
+    }
+    const Cosines<float> none =
+        cosines(n, Vec3<float>{0.6f, 0, 0.8f}, Vec3<float>{-0.6f, 0, -0.8f});
+    CHECK((none.n_h == 0 && none.i_h == 0 && none.sin2_h == 1));
+    CHECK(none.n_o == 1e-12f);
+}
+
 TEST_CASE("each model is finite, not negative, and exact to its bound in float",
           "[brdf][property]") {
     for (const BrdfInfo* brdf : all_brdfs()) DYNAMIC_SECTION(brdf->name) {
