@@ -51,10 +51,6 @@ all: $(CLI) $(VIEWER)  ## build both programs into build/$(config)/
 
 $(BUILD)/obj/src/viewer/%.o: ALL_CXXFLAGS += $(SDL_CFLAGS)
 
-# The loops over samples: what inlines and unrolls there pays.
-ifeq ($(config),release)
-$(BUILD)/obj/src/kernels/%.o $(BUILD)/obj/src/brdf/%.o: ALL_CXXFLAGS += -O3
-endif
 # The peers' code gets whatever makes it fastest: the rules of this project's own arithmetic are not
 # its rules.
 $(BUILD)/obj/tests/bench/embree.o: ALL_CXXFLAGS += -O3
@@ -73,6 +69,11 @@ MODEL_FILES = $(shell grep -l '^#define SCANSHADE_MODEL ' src/brdf/*.cpp 2>/dev/
 $(BUILD)/gen/brdf_models.inc: $(wildcard src/brdf/*.cpp)
 	@mkdir -p $(@D)
 	@sed -n 's/^#define SCANSHADE_MODEL \(.*\)/MODEL(\1)/p' $(MODEL_FILES) > $@
+
+# The loops over samples: what inlines and unrolls there pays.
+ifeq ($(config),release)
+$(call object,$(MODEL_FILES) $(filter-out %/isa.cpp,$(wildcard src/kernels/*.cpp))): ALL_CXXFLAGS += -O3
+endif
 
 $(LIB): $(call object,$(LIB_SOURCES))
 	@rm -f $@ && ar rcs $@ $^

@@ -7,6 +7,7 @@
 #define SCANSHADE_BRDF_ILLUMINATE_HPP
 #endif
 
+#include "brdf/cosines.hpp"
 #include "scanshade/brdf/brdf.hpp"
 #include "scanshade/eq/radiometry.hpp"
 #include "scanshade/eq/shading.hpp"
@@ -27,6 +28,8 @@ struct ParamPack {
     }
     R number(int index) const { return R(material.value[index][0]); }
     const Exponent& exponent(int index) const { return material.exponent[index]; }
+    int choice(int index) const { return static_cast<int>(material.value[index][0]); }
+    R derived(int index) const { return R(material.derived[index]); }
     /// The specular parameter is black, and its term may be left out.
     bool matt() const { return material.matt; }
 };
@@ -78,15 +81,6 @@ template <Real R>
         factor = factor *
                  spot_light(-wi, uniform_vec3<R>(light.axis), light.cos_cutoff, light.inv_penumbra);
     return {wi, factor, distance};
-}
-
-/// Directions at one point as the cosines that models read.
-template <Real R>
-[[gnu::always_inline]] inline Cosines<R> cosines(const Vec3<R>& n, const Vec3<R>& wi,
-                                                 const Vec3<R>& wo) {
-    const R n_i = dot(n, wi), n_o = dot(n, wo);
-    return {n_i, max(n_o, R(1e-12)), cos_half(n_i, n_o, wi, wo),
-            clamp(dot(mirror_direction(wi, n), wo), R(0), R(1))};
 }
 
 /// Samples of the vector at i that are nearer to the light than its radius.

@@ -23,6 +23,11 @@
 #include <hwy/highway.h>
 
 #include "brdf/illuminate.hpp"
+#include "scanshade/eq/fresnel.hpp"
+#include "scanshade/eq/microfacet.hpp"
+#include "scanshade/num/dual.hpp"
+#include "scanshade/num/interval.hpp"
 #include "scanshade/num/lanes.hpp"
+#include "scanshade/num/lanes_functions.hpp"
 
 SCANSHADE_TARGET_BEGIN;

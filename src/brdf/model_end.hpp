@@ -20,18 +20,35 @@ SpanEvents illuminate_dispatched(const SurfaceSpan<float>& span, const Lighting<
     return HWY_DYNAMIC_DISPATCH(illuminate_lanes)(span, lighting, material);
 }
 
-template <class T>
-std::array<T, 3> f_cos(const Cosines<T>& c, const MaterialParams<T>& material) {
-    using namespace HWY_NAMESPACE;
-    using Model = HWY_NAMESPACE::SCANSHADE_MODEL;
-    const Rgb<T> f = Model::f_cos(c, ParamPack<T>{material, nullptr, diffuse_index<Model>()});
-    return {f.r, f.g, f.b};
+using Model = HWY_NAMESPACE::SCANSHADE_MODEL;
+
+float plain(float x) { return x; }
+double plain(double x) { return x; }
+long double plain(long double x) { return x; }
+
+/// The model in the number type R; T is R as plain data.
+template <class R, class T>
+std::array<T, 3> f_cos(const Cosines<T>& c,
+                       const MaterialParams<HWY_NAMESPACE::Scalar<R>>& material) {
+    const HWY_NAMESPACE::ParamPack<R> params{material, nullptr,
+                                             HWY_NAMESPACE::diffuse_index<Model>()};
+    const auto f = Model::f_cos(cosines_as<R>(c), params);
+    return {plain(f.r), plain(f.g), plain(f.b)};
 }
 
-/// A model that reads cosθ_i alone says so.
+template <class M>
+void derive(MaterialParams<double>& params) {
+    if constexpr (requires { M::derive(params); }) M::derive(params);
+}
+
+// What a model may say of itself.
 template <class Model>
 constexpr bool ignores_view() {
     return requires { Model::ignores_view; };
+}
+template <class Model>
+constexpr bool reads_matt() {
+    return requires { Model::reads_matt; };
 }
 
 }  // namespace
@@ -40,17 +57,22 @@ constexpr bool ignores_view() {
 #define SCANSHADE_ROW(model) SCANSHADE_ROW_(model)
 extern const BrdfInfo SCANSHADE_ROW(SCANSHADE_MODEL);
 const BrdfInfo SCANSHADE_ROW(SCANSHADE_MODEL) = {
-    .name = HWY_NAMESPACE::SCANSHADE_MODEL::name,
-    .title = HWY_NAMESPACE::SCANSHADE_MODEL::title,
-    .equation = HWY_NAMESPACE::SCANSHADE_MODEL::equation,
-    .source = HWY_NAMESPACE::SCANSHADE_MODEL::source,
-    .params = HWY_NAMESPACE::SCANSHADE_MODEL::params,
-    .promises = HWY_NAMESPACE::SCANSHADE_MODEL::promises,
-    .ignores_view = ignores_view<HWY_NAMESPACE::SCANSHADE_MODEL>(),
-    .f_cos_f64 = f_cos<double>,
-    .f_cos_f32 = f_cos<float>,
-    .illuminate_f32 = HWY_NAMESPACE::illuminate_span<HWY_NAMESPACE::SCANSHADE_MODEL, float>,
-    .illuminate_f64 = HWY_NAMESPACE::illuminate_span<HWY_NAMESPACE::SCANSHADE_MODEL, double>,
+    .name = Model::name,
+    .title = Model::title,
+    .equation = Model::equation,
+    .source = Model::source,
+    .params = Model::params,
+    .promises = Model::promises,
+    .reads_matt = reads_matt<HWY_NAMESPACE::SCANSHADE_MODEL>(),
+    .ignores_view = ignores_view<Model>(),
+    .derive = derive<Model>,
+    .f_cos_f64 = f_cos<double, double>,
+    .f_cos_f32 = f_cos<float, float>,
+    .f_cos_f80 = f_cos<long double, long double>,
+    .f_cos_interval = f_cos<HWY_NAMESPACE::Interval, PlainInterval>,
+    .f_cos_dual = f_cos<HWY_NAMESPACE::Dual, PlainDual>,
+    .illuminate_f32 = HWY_NAMESPACE::illuminate_span<Model, float>,
+    .illuminate_f64 = HWY_NAMESPACE::illuminate_span<Model, double>,
     .illuminate_simd = illuminate_dispatched,
 };
 #undef SCANSHADE_ROW

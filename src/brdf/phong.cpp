@@ -22,6 +22,8 @@ struct phong {
          "exponent of the highlight; larger is sharper"},
     };
 
+    static constexpr bool reads_matt = true;
+
     static double error_u(const MaterialParams<double>& p) {
         return 7 + power_error_u(p.exponent[shininess]);
     }
@@ -30,9 +32,8 @@ struct phong {
 
     template <Real R>
     static Rgb<R> f_cos(const Cosines<R>& c, const ParamPack<R>& p) {
-        if (p.matt()) return p.rgb(kd) * c.n_i * R(inv_pi);
-        return phong_reflection(p.rgb(kd), p.rgb(ks), p.exponent(shininess), c.n_i, c.r_o) *
-               R(inv_pi);
+        if (p.matt()) return p.rgb(kd) * c.n_i * inv_pi_as<R>();
+        return phong_f_cos(p.rgb(kd), p.rgb(ks), p.exponent(shininess), c.n_i, c.r_o);
     }
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "scanshade/base/error.hpp"
 #include "scanshade/base/text.hpp"
@@ -54,14 +55,32 @@ const ParamInfo* find_anywhere(std::string_view name) {
     return nullptr;
 }
 
+/// The place of a word in the names of a choice.
+double checked_choice(const ParamInfo& info, const ParamSetting& setting, Errc errc) {
+    const auto found = std::find(info.names.begin(), info.names.end(), setting.word);
+    if (found != info.names.end()) return static_cast<double>(found - info.names.begin());
+    throw Error(errc, setting.word.empty()
+                          ? fmt::format("{} takes one of {}, not a number", info.name,
+                                        fmt::join(info.names, ", "))
+                          : fmt::format("{} knows no '{}'{}", info.name, setting.word,
+                                        suggestion(setting.word, info.names)))
+        .at(setting.place);
+}
+
 /// One channel value each, checked against the row.
 std::array<double, 3> checked(const ParamInfo& info, const ParamSetting& setting, Errc errc) {
+    if (info.kind == ParamKind::choice) {
+        const double value = checked_choice(info, setting, errc);
+        return {value, value, value};
+    }
     const bool one = setting.values.size() == 1;
     if (!one && !(setting.values.size() == 3 && info.kind == ParamKind::rgb))
-        throw Error(errc, fmt::format("{} takes {}, not {} numbers", info.name,
-                                      info.kind == ParamKind::rgb ? "one number or three (R,G,B)"
-                                                                  : "one number",
-                                      setting.values.size()))
+        throw Error(
+            errc,
+            fmt::format("{} takes {}, not {}", info.name,
+                        info.kind == ParamKind::rgb ? "one number or three (R,G,B)" : "one number",
+                        setting.word.empty() ? fmt::format("{} numbers", setting.values.size())
+                                             : fmt::format("'{}'", setting.word)))
             .at(setting.place);
     for (const double value : setting.values)
         if (!(value >= info.min && value <= info.max))
@@ -92,8 +111,39 @@ const ParamInfo* param_of_role(const BrdfInfo& brdf, ParamRole role) {
     return nullptr;
 }
 
+/// Between roles that measure one thing: values of `from` in terms of `to`.
+struct RoleConversion {
+    ParamRole from, to;
+    double (*convert)(double);
+    std::string_view rule;
+};
+constexpr RoleConversion conversions[] = {
+    {ParamRole::exponent, ParamRole::roughness, [](double s) { return std::sqrt(2 / (s + 2)); },
+     "√(2/(s + 2))"},
+    {ParamRole::roughness, ParamRole::exponent, [](double m) { return 2 / (m * m) - 2; },
+     "2/m² − 2"},
+};
+
+/// A parameter of a role that `brdf` lacks while it has one of a related role. Says what became of
+/// it; false where there is no such role.
+bool map_converted(ResolvedMaterial& out, const ParamSetting& setting, const ParamInfo& foreign) {
+    for (const RoleConversion& c : conversions) {
+        const ParamInfo* own = param_of_role(*out.brdf, c.to);
+        if (foreign.role != c.from || own == nullptr) continue;
+        const double wanted = c.convert(checked(foreign, setting, Errc::scene)[0]);
+        const double value = std::clamp(wanted, own->min, own->max);
+        store(out.params, *out.brdf, *own, {value, value, value});
+        out.mapped.push_back(fmt::format("{} {:g} became {} {:g} = {}{}", setting.name,
+                                         setting.values[0], own->name, value, c.rule,
+                                         value == wanted ? "" : ", limited to its range"));
+        return true;
+    }
+    return false;
+}
+
 /// A parameter that `brdf` does not have but another model does: mapped by its role, or dropped.
 void map_foreign(ResolvedMaterial& out, const ParamSetting& setting, const ParamInfo& foreign) {
+    if (map_converted(out, setting, foreign)) return;
     const ParamInfo* own = param_of_role(*out.brdf, foreign.role);
     if (own == nullptr) {
         out.mapped.push_back(
@@ -102,6 +152,23 @@ void map_foreign(ResolvedMaterial& out, const ParamSetting& setting, const Param
     }
     store(out.params, *out.brdf, *own, checked(*own, setting, Errc::scene));
     out.mapped.push_back(fmt::format("{} became {}", setting.name, own->name));
+}
+
+/// Says so where a model keeps energy only for parameters other than these.
+void note_energy(ResolvedMaterial& out) {
+    if (out.brdf->promises.energy != Energy::conserving_to_sum_one || out.unlit) return;
+    const ParamInfo* diffuse = param_of_role(*out.brdf, ParamRole::diffuse);
+    const ParamInfo* specular = param_of_role(*out.brdf, ParamRole::specular);
+    const auto value = [&](const ParamInfo* info, int channel) {
+        return out.params.value[info - out.brdf->params.data()][channel];
+    };
+    for (int channel = 0; channel < 3; ++channel) {
+        const double sum = value(diffuse, channel) + value(specular, channel);
+        if (sum <= 1) continue;
+        out.mapped.push_back(fmt::format("{} + {} is {:g}: above 1, more is reflected than arrives",
+                                         diffuse->name, specular->name, sum));
+        return;
+    }
 }
 
 /// Settings of the material itself; `foreign_allowed` where another model was asked for.
@@ -140,6 +207,11 @@ bool sets(const std::vector<ParamSetting>& settings, std::string_view name) {
 
 }  // namespace
 
+std::string value_text(const ParamInfo& info, double value) {
+    if (info.kind == ParamKind::choice) return std::string(info.names[std::size_t(value)]);
+    return fmt::format("{:g}", value);
+}
+
 ResolvedMaterial resolve_material(const Material& material, std::string_view brdf_override,
                                   const std::vector<ParamSetting>& set) {
     const bool overridden = !brdf_override.empty() && brdf_override != material.brdf;
@@ -162,22 +234,13 @@ ResolvedMaterial resolve_material(const Material& material, std::string_view brd
         const auto& from = out.params.value[diffuse - out.brdf->params.data()];
         std::copy(std::begin(from), std::end(from), out.params.ka);
     }
+    out.brdf->derive(out.params);
+    note_energy(out);
     return out;
 }
 
 MaterialParams<float> to_float(const MaterialParams<double>& params) {
-    MaterialParams<float> out{};
-    const auto narrow = [](const double(&from)[3], float(&to)[3]) {
-        for (int c = 0; c < 3; ++c) to[c] = static_cast<float>(from[c]);
-    };
-    for (std::size_t i = 0; i < max_params; ++i) {
-        narrow(params.value[i], out.value[i]);
-        out.exponent[i] = params.exponent[i];
-    }
-    narrow(params.ka, out.ka);
-    narrow(params.emission, out.emission);
-    out.matt = params.matt;
-    return out;
+    return params_as<float>(params);
 }
 
 }  // namespace scanshade

@@ -77,8 +77,11 @@ std::string channels(const double (&value)[3]) {
 std::string parameter_text(const ResolvedMaterial& resolved) {
     std::vector<std::string> parts;
     for (std::size_t i = 0; i < resolved.brdf->params.size(); ++i)
-        parts.push_back(fmt::format("{} {}", resolved.brdf->params[i].name,
-                                    channels(resolved.params.value[i])));
+        parts.push_back(
+            fmt::format("{} {}", resolved.brdf->params[i].name,
+                        resolved.brdf->params[i].kind == ParamKind::choice
+                            ? value_text(resolved.brdf->params[i], resolved.params.value[i][0])
+                            : channels(resolved.params.value[i])));
     parts.push_back(fmt::format("ka {}", channels(resolved.params.ka)));
     parts.push_back(fmt::format("emission {}", channels(resolved.params.emission)));
     return fmt::format("{}", fmt::join(parts, ", "));

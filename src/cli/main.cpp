@@ -23,7 +23,8 @@ constexpr Command commands[] = {
     {"sheet", "INPUT -o OUT.png [options]", "one picture of every shading with every brdf",
      run_sheet},
     {"compare", "A.png B.png [options]", "how much two pictures differ", run_compare},
-    {"brdf", "list | show NAME", "the reflection models: parameters, equation, source", run_brdf},
+    {"brdf", "list | show NAME [-o DIR] [--set NAME=V]",
+     "the reflection models: equation, parameters, promises, values, a page of plots", run_brdf},
 };
 
 std::string help() {

@@ -190,8 +190,9 @@ void OptionParser::flag(std::string_view names, bool& value, std::string_view me
     state_->app.add_flag(std::string(names), value, wrapped(meaning))->disable_flag_override();
 }
 
-void OptionParser::shared(Settings& settings) {
+void OptionParser::shared(Settings& settings, std::span<const std::string_view> only) {
     for (const OptionInfo& info : shared_options()) {
+        if (!only.empty() && std::find(only.begin(), only.end(), info.name) == only.end()) continue;
         const auto take = [&settings, &info](std::string_view value) {
             info.apply(settings, value);
             settings.given.emplace(info.name);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -34,9 +35,9 @@ public:
                  std::string_view meaning);
     void flag(std::string_view names, bool& value, std::string_view meaning);
 
-    /// Every row of shared_options(): its value is applied to `settings`, its name noted in
-    /// settings.given.
-    void shared(Settings& settings);
+    /// Every row of shared_options(), or those that `only` names: its value is applied to
+    /// `settings`, its name noted in settings.given.
+    void shared(Settings& settings, std::span<const std::string_view> only = {});
 
     /// Arguments that nobody declared are no error: another program will judge them.
     void allow_unknown();

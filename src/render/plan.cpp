@@ -11,7 +11,7 @@
 namespace scanshade {
 
 bool is_matt(const ResolvedMaterial& material) {
-    if (material.unlit) return false;
+    if (material.unlit || !material.brdf->reads_matt) return false;
     const auto params = material.brdf->params;
     for (std::size_t i = 0; i < params.size(); ++i)
         if (params[i].role == ParamRole::specular) {

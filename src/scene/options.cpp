@@ -1,6 +1,7 @@
 // The table of options that every rendering command, scene files and the viewer share.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
 
@@ -87,6 +88,14 @@ void set_samples(Settings& s, std::string_view value) {
     s.samples = side * side;
 }
 
+/// Letters, digits and dashes, and no number: the name of a choice.
+bool is_word(std::string_view text) {
+    const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    return !text.empty() && is_letter(text.front()) &&
+           std::all_of(text.begin(), text.end(),
+                       [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '-'; });
+}
+
 void set_isa(Settings& s, std::string_view value) {
     enum class Isa {};
     const auto number = static_cast<std::size_t>(choice<Isa>("isa", isas, value));
@@ -101,17 +110,23 @@ void set_threads(Settings& s, std::string_view value) {
 }
 
 void set_parameter(Settings& s, std::string_view value) {
-    constexpr std::string_view takes = "NAME=V or NAME=R,G,B, such as shininess=80";
+    constexpr std::string_view takes =
+        "NAME=V, NAME=R,G,B or NAME=WORD, such as shininess=80 or distribution=ggx";
     const std::size_t equals = value.find('=');
     if (equals == std::string_view::npos || equals == 0) fail("set", takes, value);
-    ParamSetting setting{std::string(value.substr(0, equals)), {}, {}};
+    ParamSetting setting{std::string(value.substr(0, equals)), {}, {}, {}};
     setting.place = "--set " + setting.name;
-    for (const std::string_view part : split(value.substr(equals + 1), ',')) {
-        const auto number = parse_real(part);
-        if (!number) fail("set", takes, value);
-        setting.values.push_back(*number);
+    const std::string_view given = value.substr(equals + 1);
+    if (is_word(given)) {
+        setting.word = given;
+    } else {
+        for (const std::string_view part : split(given, ',')) {
+            const auto number = parse_real(part);
+            if (!number) fail("set", takes, value);
+            setting.values.push_back(*number);
+        }
+        if (setting.values.size() != 1 && setting.values.size() != 3) fail("set", takes, value);
     }
-    if (setting.values.size() != 1 && setting.values.size() != 3) fail("set", takes, value);
     s.set.push_back(std::move(setting));
 }
 
@@ -139,7 +154,8 @@ constexpr OptionInfo options[] = {
      [](Settings& s, std::string_view v) { s.shading = choice<Shading>("shading", shadings, v); }},
     {"brdf", "NAME|unlit", "reflection model of every material; see `scanshade brdf list`", false,
      false, [](Settings& s, std::string_view v) { s.brdf = v; }},
-    {"set", "NAME=V[,V,V]", "a parameter of every material, such as shininess=80", true, false,
+    {"set", "NAME=V[,V,V]|NAME=WORD",
+     "a parameter of every material, such as shininess=80 or distribution=ggx", true, false,
      set_parameter},
     {"interpolation", "perspective|edges|patch", "how values travel inside a polygon", false, false,
      [](Settings& s, std::string_view v) {

@@ -84,6 +84,10 @@ Material read_material(const TomlReader& reader, const std::filesystem::path& fo
     // Every other key is a parameter; its name is checked when the model is known for good.
     for (const auto& [key, node] : reader.table()) {
         if (key == "name" || key == "brdf" || key == "map_kd") continue;
+        if (const toml::value<std::string>* word = node.as_string()) {
+            material.set_word(key.str(), word->get(), reader.place(node));
+            continue;
+        }
         std::vector<double> values;
         if (const toml::array* array = node.as_array())
             for (const toml::node& element : *array)

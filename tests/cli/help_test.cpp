@@ -76,10 +76,24 @@ TEST_CASE("brdf list and show print what the registry holds", "[cli]") {
         CAPTURE(brdf->name, run.out);
         CHECK(run.status == 0);
         CHECK(run.out.find(std::string(brdf->equation)) != std::string::npos);
+        CHECK(run.out.find("albedo") != std::string::npos);
         CHECK(run.out.find(std::string(brdf->source)) != std::string::npos);
         for (const ParamInfo& param : brdf->params) {
             CHECK(run.out.find("  " + std::string(param.name) + " ") != std::string::npos);
             CHECK(run.out.find(std::string(param.meaning)) != std::string::npos);
         }
     }
+}
+
+TEST_CASE("brdf show -o makes the folder and writes a page of what was set", "[cli]") {
+    const TempFolder folder;
+    const std::string page = folder.path / "new" / "page";
+    const Finished run = run_scanshade({"brdf", "show", "torrance-sparrow", "-o", page, "--set",
+                                        "distribution=beckmann", "--set", "shininess=98"});
+    CAPTURE(run.err);
+    CHECK(run.status == 0);
+    CHECK(run.err.find("shininess 98 became m 0.141421") != std::string::npos);
+    const std::string html = read_file(page + "/index.html");
+    CHECK(html.find("<td>beckmann</td>") != std::string::npos);
+    CHECK(html.find("<td>0.141421</td>") != std::string::npos);
 }

@@ -76,6 +76,8 @@ TEST_CASE("wrong usage is one sentence that says what would be right, and status
         {{"brdf", "show"}, 2, {"needs a name", "brdf list"}},
         {{"brdf", "show", "phng"}, 2, {"'phng'", "did you mean 'phong'"}},
         {{"brdf", "list", "phong"}, 2, {"brdf show phong"}},
+        {{"brdf", "show", "phong", "--set", "kk=1"}, 2, {"no parameter 'kk'"}},
+        {{"brdf", "show", "phong", "-o", in + "/page"}, 3, {"folder cannot be made"}},
         {{"view"}, 2, {"INPUT", "missing"}},
         {{"view", in, "--shading", "flt"}, 2, {"flt", "flat"}},
     };

@@ -4,16 +4,13 @@
 #include <cmath>
 
 #include "support/catch.hpp"
-#include "support/random.hpp"
+#include "support/directions.hpp"
 
 using namespace scanshade;
 
 namespace {
 
-Vec3<double> upper_direction(Rng& rng) {
-    const double z = rng.real(0.05, 1), phi = rng.real(0, 2 * pi), r = std::sqrt(1 - z * z);
-    return {r * std::cos(phi), r * std::sin(phi), z};
-}
+Vec3<double> upper_direction(Rng& rng) { return random_direction(rng, 0.05); }
 
 }  // namespace
 
@@ -95,4 +92,62 @@ TEST_CASE("(B15) the half vector lies in the middle; opposite directions have no
     const Vec3<float> none = half_vector(w, -w);
     CHECK(dot(none, none) == 0);
     CHECK(cos_half(0.8f, -0.8f, w, -w) == 0);
+}
+
+TEST_CASE("(B13) f_r cosθ_i is finite where the printed BRDF is not", "[eq]") {
+    const Rgb<float> k = {0.5f, 0.5f, 0.5f};
+    const float grazing = 1e-42f, r_o = 0.9f;
+    const float printed = k.r + k.r * pow_shininess(r_o, make_exponent(10)) / grazing;
+    CHECK(std::isinf(printed));
+    CHECK(phong_f_cos(k, k, make_exponent(10), grazing, r_o).r < 1);
+    // With L_i = 1 and k in C7's units, π f_r cosθ_i is B12.
+    const Rgb<double> d = {0.1, 0.2, 0.3}, s = {0.3, 0.2, 0.1};
+    CHECK(phong_f_cos(d, s, make_exponent(7), 0.4, 0.8).g * pi ==
+          Approx(phong_reflection(d, s, make_exponent(7), 0.4, 0.8).g));
+}
+
+TEST_CASE("(B14) the modified lobe's albedo at normal incidence is rho_d + rho_s", "[eq]") {
+    const Vec3<double> n = {0, 0, 1};
+    for (const double s : {0.0, 1.0, 10.0, 100.0, 1e4, 1e6}) {
+        CAPTURE(s);
+        const double albedo = hemisphere_integral(n, [&](const Vec3<double>& wi) {
+            return modified_phong_brdf(Rgb<double>{0.3, 0, 0}, Rgb<double>{0.5, 0, 0},
+                                       make_exponent(s), s + 2, wi.z)
+                       .r *
+                   wi.z;
+        });
+        CHECK(albedo == Approx(0.8).epsilon(2e-3));
+    }
+}
+
+TEST_CASE("(B20) Oren-Nayar with sigma 0 is Lambert; its azimuths matter", "[eq]") {
+    const OrenNayarCoefficients<double> smooth = oren_nayar_coefficients(0.0);
+    CHECK((smooth.A == 1 && smooth.B == 0));
+    const Rgb<double> rho = {0.8, 0.5, 0.2};
+    CHECK(oren_nayar_f_cos(rho, smooth, 0.3, 0.6, 0.4).r == Approx(0.8 / pi * 0.3));
+
+    const double sigma = 0.5, s2 = sigma * sigma, theta_i = 0.9, theta_o = 0.6;
+    const OrenNayarCoefficients<double> k = oren_nayar_coefficients(sigma);
+    const auto ours = [&](double dphi) {
+        const double s = std::sin(theta_i) * std::sin(theta_o) * std::cos(dphi);
+        return oren_nayar_f_cos(rho, k, std::cos(theta_i), std::cos(theta_o), s).r;
+    };
+    const auto formula = [&](double cosine) {
+        const double A = 1 - s2 / (2 * (s2 + 0.33)), B = 0.45 * s2 / (s2 + 0.09);
+        return 0.8 / pi * std::cos(theta_i) *
+               (A + B * std::max(0.0, cosine) * std::sin(theta_i) * std::tan(theta_o));
+    };
+    for (const double dphi : {0.0, 1.0, 2.0, pi})
+        CHECK(ours(dphi) == Approx(formula(std::cos(dphi))));
+    // The printed cos(θ_i − θ_o) gives the same in every azimuth: no brighter towards the light.
+    CHECK(ours(0) > 1.1 * ours(pi));
+    CHECK(formula(std::cos(theta_i - theta_o)) > 1.1 * ours(pi));
+}
+
+TEST_CASE("(B20) Oren-Nayar is defined at the pole and bounded at grazing angles", "[eq]") {
+    const OrenNayarCoefficients<float> k = oren_nayar_coefficients(1.5f);
+    const Rgb<float> white = {1, 1, 1};
+    CHECK(oren_nayar_f_cos(white, k, 1.0f, 1.0f, 0.0f).r == Approx(k.A / float(pi)));
+    for (const float c : {1e-3f, 1e-8f, 1e-30f})
+        CHECK(oren_nayar_f_cos(white, k, c, c, 1.0f).r <= 0.35f);  // f_r itself is tan 90°
 }

@@ -71,6 +71,9 @@ TEST_CASE("each option stores its value", "[options]") {
     CHECK(set.set[0].name == "kd");
     CHECK(set.set[0].values == std::vector<double>{0.1, 0.2, 0.3});
     CHECK(set.set[0].place == "--set kd");
+    const Settings word = with("set", "shadowing=v-cavity");
+    CHECK(word.set[0].word == "v-cavity");
+    CHECK(word.set[0].values.empty());
 }
 
 TEST_CASE("a refused value names the option, the value and what would be right", "[options]") {
@@ -93,7 +96,9 @@ TEST_CASE("a refused value names the option, the value and what would be right",
         {"set", "kd=", "NAME=V"},
         {"set", "kd=1,2", "NAME=V"},
         {"set", "kd=1,2,3,4", "NAME=V"},
-        {"set", "kd=nan", "NAME=V"},
+        {"set", "kd=0x", "NAME=V"},
+        {"set", "distribution=ggx,blinn", "NAME=WORD"},
+        {"set", "distribution=-ggx", "NAME=WORD"},
         {"samples", "5", "--samples takes a square number from 1 to 1024"},
         {"samples", "0", "square"},
         {"samples", "-4", "square"},

@@ -187,6 +187,7 @@ brdf = "phong"
 kd = [0.6, 0.1, 0]
 ks = 0.25
 shininess = 40
+distribution = "ggx"  # a word: checked when the model is known for good
 map_kd = "map.png"
 [[object]]
 shape = "cube"
@@ -202,6 +203,8 @@ material = "red"
     CHECK(red.find("kd")->values == std::vector<double>{0.6, 0.1, 0});
     CHECK(red.find("ks")->values == std::vector<double>{0.25});
     CHECK(red.find("ks")->place == (folder.path / "s.toml").string() + ":5");
+    CHECK(red.find("distribution")->word == "ggx");
+    CHECK(red.find("distribution")->place == (folder.path / "s.toml").string() + ":7");
     REQUIRE(red.map_kd);
     CHECK(red.map_kd->width() == 2);
     // The second object has the default material.
@@ -339,7 +342,7 @@ TEST_CASE("faults in a scene file name the line and what would be right", "[scen
         // materials
         {"[[material]]\nbrdf = \"phong\"\n", 1, "name"},
         {"[[material]]\nname = 3\n", 2, "text"},
-        {material + "kd = \"red\"\n", 3, "number"},
+        {material + "kd = true\n", 3, "number"},
         {material + "kd = [1, 2]\n", 3, "three"},
         {material + "kd = [1, inf, 0]\n", 3, "finite"},
         {material + "map_kd = \"no.png\"\n", 3, "no.png"},

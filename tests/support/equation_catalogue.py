@@ -15,8 +15,10 @@ CHAPTERS = {
 }
 
 # Chapters or equations that must have a function and a test. Extend it with the work.
-FINISHED = ([f"A{i}" for i in range(1, 16)] + ["B6", "B7", "B12", "B15"]
-            + [f"C{i}" for i in range(1, 8)])
+FINISHED = ([f"A{i}" for i in range(1, 16)]
+            + [f"B{i}" for i in range(1, 21) if i not in (17, 18)]
+            + ["B17a", "B17b", "B17c", "B17d", "B18a", "B18b"]
+            + [f"C{i}" for i in range(1, 8)] + ["D1", "D2", "D3"])
 
 EQUATIONS = [
     ("A1", "unit direction", ""),

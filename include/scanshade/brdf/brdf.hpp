@@ -9,14 +9,17 @@
 #include <vector>
 
 #include "scanshade/kernels/span.hpp"
+#include "scanshade/num/plain.hpp"
 #include "scanshade/scene/material.hpp"
 
 namespace scanshade {
 
-enum class ParamKind : std::uint8_t { rgb, number, exponent };
+/// A choice is one of a few names; its value is the name's place in the list.
+enum class ParamKind : std::uint8_t { rgb, number, exponent, choice };
 
 /// What a parameter means across models, so that a material of one can be drawn with another.
-enum class ParamRole : std::uint8_t { none, diffuse, specular, exponent };
+/// Exponent s and roughness m are two measures of one thing: m = √(2/(s + 2)).
+enum class ParamRole : std::uint8_t { none, diffuse, specular, exponent, roughness };
 
 /// One parameter: from this row come its option, its checks, its slider and its documentation.
 struct ParamInfo {
@@ -28,26 +31,47 @@ struct ParamInfo {
     double standard;        // default
     std::string_view unit;  // "" for pure numbers
     std::string_view meaning;
+    std::span<const std::string_view> names{};  // of a choice, for the values 0, 1, ...
 };
 
-enum class Energy : std::uint8_t { conserving, may_exceed_one };
+/// A value as people read it: a number, or the name of a choice.
+std::string value_text(const ParamInfo& info, double value);
+
+/// Whether the albedo stays at or below 1: always; where the diffuse and the specular parameter
+/// sum to at most 1 in each channel; or not for all parameters in range.
+enum class Energy : std::uint8_t { conserving, conserving_to_sum_one, may_exceed_one };
 
 /// What a model says of itself; property tests hold it to every word.
 struct Promises {
-    bool reciprocal;                                   // f_r(ω_i, ω_o) = f_r(ω_o, ω_i)
-    Energy energy;                                     // albedo ≤ 1 for all parameters in range
+    bool reciprocal;  // f_r(ω_i, ω_o) = f_r(ω_o, ω_i)
+    Energy energy;
     double (*error_u)(const MaterialParams<double>&);  // relative error of f_cos in u of its number
                                                        // type, cosines taken as exact
 };
 
-/// Directions at a surface point, unit length, by their cosines.
+/// Directions at a surface point, unit length, by their cosines. Where ω_i = −ω_o there is no half
+/// vector, and h counts as grazing: n_h = i_h = 0, sin2_h = 1.
 template <class R>
 struct Cosines {
     R n_i;  // cosθ_i = n·ω_i, > 0
     R n_o;  // cosθ_o = n·ω_o, ≥ 1e-12
     R n_h;  // cosθ_h = n·h, [0, 1]
     R r_o;  // cosθ_r = ω_r·ω_o, [0, 1]: 0 where the mirror direction points away from the viewer
+    R i_h;     // ω_i·h = ω_o·h, [0, 1]
+    R sin2_h;  // sin²θ_h = |n × h|², [0, 1]
+    R s_io;    // sinθ_i sinθ_o cos(φ_i − φ_o) = (n × ω_i)·(n × ω_o), [−1, 1]
 };
+
+/// The same cosines in another type of number.
+template <class To, class From>
+Cosines<To> cosines_as(const Cosines<From>& c) {
+    return {To(c.n_i), To(c.n_o), To(c.n_h), To(c.r_o), To(c.i_h), To(c.sin2_h), To(c.s_io)};
+}
+
+/// f_r cosθ_i in 1/sr a channel: cosines and result in T, parameters in the type that T's
+/// arithmetic gives uniform quantities in.
+template <class T, class Param = T>
+using FCosFn = std::array<T, 3> (*)(const Cosines<T>&, const MaterialParams<Param>&);
 
 /// Lights a span; `simd` runs on the best instruction set of this machine.
 template <class T>
@@ -61,11 +85,19 @@ struct BrdfInfo {
     std::string_view source;    // author and year
     std::span<const ParamInfo> params;
     Promises promises;
+    bool reads_matt;    // f_cos leaves its highlight out where MaterialParams::matt says so
     bool ignores_view;  // f_cos reads cosθ_i alone
 
-    /// f_r cosθ_i in 1/sr a channel, in the number type that the name says.
-    std::array<double, 3> (*f_cos_f64)(const Cosines<double>&, const MaterialParams<double>&);
-    std::array<float, 3> (*f_cos_f32)(const Cosines<float>&, const MaterialParams<float>&);
+    /// Computes `derived` from the other parameters, in double.
+    void (*derive)(MaterialParams<double>&);
+
+    /// One text in every type of number: the interval encloses what float and its exact value are,
+    /// the dual carries a derivative.
+    FCosFn<double> f_cos_f64;
+    FCosFn<float> f_cos_f32;
+    FCosFn<long double> f_cos_f80;
+    FCosFn<PlainInterval, float> f_cos_interval;
+    FCosFn<PlainDual, double> f_cos_dual;
 
     IlluminateFn<float> illuminate_f32;  // one sample at a time: the plain twin
     IlluminateFn<double> illuminate_f64;
@@ -84,7 +116,7 @@ struct ResolvedMaterial {
     bool unlit;  // the diffuse colour, whatever the light
     MaterialParams<double> params;
     std::vector<std::string> mapped;  // sentences: parameters of another model and what became
-                                      // of them
+                                      // of them, energy that a model cannot keep
 };
 
 /// Binds a material to `brdf_override` (where not empty) or its own model, maps parameters of
@@ -92,6 +124,24 @@ struct ResolvedMaterial {
 /// Throws Error(scene), or Error(usage) for what came from an option.
 ResolvedMaterial resolve_material(const Material& material, std::string_view brdf_override,
                                   const std::vector<ParamSetting>& set);
+
+/// The parameters in another type of number.
+template <class To, class From>
+MaterialParams<To> params_as(const MaterialParams<From>& from) {
+    MaterialParams<To> to{};
+    const auto copy = [](const From(&a)[3], To(&b)[3]) {
+        for (int c = 0; c < 3; ++c) b[c] = static_cast<To>(a[c]);
+    };
+    for (std::size_t i = 0; i < max_params; ++i) {
+        copy(from.value[i], to.value[i]);
+        to.exponent[i] = from.exponent[i];
+    }
+    for (std::size_t i = 0; i < max_derived; ++i) to.derived[i] = static_cast<To>(from.derived[i]);
+    copy(from.ka, to.ka);
+    copy(from.emission, to.emission);
+    to.matt = from.matt;
+    return to;
+}
 
 /// double → float, once, before shading.
 MaterialParams<float> to_float(const MaterialParams<double>& params);

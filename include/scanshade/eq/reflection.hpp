@@ -7,6 +7,7 @@
 #endif
 
 #include "scanshade/num/exponent.hpp"
+#include "scanshade/num/functions.hpp"
 #include "scanshade/num/rgb.hpp"
 #include "scanshade/num/vec3.hpp"
 
@@ -18,12 +19,12 @@ SCANSHADE_TARGET_BEGIN;
 ///
 /// in      rho_d    albedo, a channel                 [0, 1]              1
 /// out     f_r                                        [0, 1/π]            1/sr
-/// error   ≤ 1.5 u: 1/π is rounded, and the product
+/// error   ≤ 2 u: 1/π is rounded, and the product
 /// checks  albedo is ρ_d by quadrature                tests/eq/reflection_test.cpp
 /// source  Lambert 1760
 template <Real R>
 Rgb<R> lambert_brdf(const Rgb<R>& rho_d) {
-    return rho_d * R(inv_pi);
+    return rho_d * inv_pi_as<R>();
 }
 
 /// Mirror direction of ω_i at a surface with normal n.
@@ -75,8 +76,7 @@ R pow_shininess(R x, const Exponent& s) {
 ///
 ///     L_o = L_i (k_d cosθ_i + k_s cosⁿθ_r)                                               (B12)
 ///
-/// computed for L_i = 1. Blinn's form is the same function with cosθ_h for cosθ_r. B13 divides
-/// it by cosθ_i and is unbounded at grazing light, so it is not computed.
+/// computed for L_i = 1. Blinn's form is the same function with cosθ_h for cosθ_r.
 /// in      k_d, k_s reflectance, a channel            [0, 1]              1
 ///         n        exponent                          [0, 1e6]            1
 ///         cos_i    n·ω_i                             (0, 1]              1
@@ -89,6 +89,42 @@ R pow_shininess(R x, const Exponent& s) {
 template <Real R>
 Rgb<R> phong_reflection(const Rgb<R>& k_d, const Rgb<R>& k_s, const Exponent& n, R cos_i, R cos_r) {
     return k_d * cos_i + k_s * pow_shininess(cos_r, n);
+}
+
+/// Phong reflection as a BRDF, times cosθ_i.
+///
+///     f_r = k_d + k_s cosⁿθ_r/cosθ_i                                    printed          (B13)
+///
+/// computed as f_r cosθ_i = (k_d cosθ_i + k_s cosⁿθ_r)/π: f_r is unbounded where θ_i is grazing,
+/// f_r cosθ_i is not. The printed k_d and k_s are in 1/sr; here they are those of C7, larger by π.
+/// in      as B12
+/// out     f_r cosθ_i                                 [0, 2/π]            1/sr
+/// error   that of B12 and 2 u
+/// checks  finite at grazing θ_i, where the printed form is not; π f_r cosθ_i is B12
+///                                                    tests/eq/reflection_test.cpp
+/// source  Phong 1975
+template <Real R>
+Rgb<R> phong_f_cos(const Rgb<R>& k_d, const Rgb<R>& k_s, const Exponent& n, R cos_i, R cos_r) {
+    return phong_reflection(k_d, k_s, n, cos_i, cos_r) * inv_pi_as<R>();
+}
+
+/// Modified Phong reflection, normalised so that it keeps energy and is reciprocal.
+///
+///     f_r = ρ_d/π + ρ_s (n + 2)/(2π) cosⁿθ_r,   ρ_d + ρ_s ≤ 1                            (B14)
+///
+/// in      rho_d, rho_s  albedos, a channel           [0, 1]              1
+///         n        exponent                          [0, 1e6]            1
+///         n_plus_2 the same number plus 2            [2, 1e6 + 2]        1
+///         cos_r    ω_r·ω_o                           [0, 1]              1
+/// out     f_r                                        ≥ 0                 1/sr
+/// error   that of pow_shininess and 5 u, of positive terms
+/// checks  albedo at normal incidence is ρ_d + ρ_s for every n   tests/eq/reflection_test.cpp
+/// source  Lafortune and Willems 1994
+template <Real R>
+Rgb<R> modified_phong_brdf(const Rgb<R>& rho_d, const Rgb<R>& rho_s, const Exponent& n, R n_plus_2,
+                           R cos_r) {
+    const R lobe = n_plus_2 * R(0.5) * pow_shininess(cos_r, n);
+    return (rho_d + rho_s * lobe) * inv_pi_as<R>();
 }
 
 /// Half vector: the normal of the mirror that would show the light to the viewer.
@@ -104,6 +140,57 @@ Rgb<R> phong_reflection(const Rgb<R>& k_d, const Rgb<R>& k_s, const Exponent& n,
 template <Real R>
 Vec3<R> half_vector(const Vec3<R>& wi, const Vec3<R>& wo) {
     return normalise(wi + wo);
+}
+
+/// The two coefficients of Oren and Nayar's model, once a material.
+///
+///     A = 1 − σ²/(2(σ² + 0.33)),   B = 0.45 σ²/(σ² + 0.09), for                          (B20)
+///
+/// error   none: plain data
+/// checks  as oren_nayar_coefficients                 tests/eq/reflection_test.cpp
+/// source  Oren and Nayar 1994
+template <class R>
+struct OrenNayarCoefficients {
+    R A, B;
+};
+
+/// Coefficients of Oren and Nayar's model from the spread of slopes.
+///
+///     A = 1 − σ²/(2(σ² + 0.33)),   B = 0.45 σ²/(σ² + 0.09)                               (B20)
+///
+/// in      sigma    standard deviation of the facets' angle   [0, π/2]    rad
+/// out     A, B                                       [0.56, 1], [0, 0.44]   1
+/// error   ≤ 6 u
+/// checks  σ = 0 is Lambert: A = 1, B = 0             tests/eq/reflection_test.cpp
+/// source  Oren and Nayar 1994
+template <Real R>
+OrenNayarCoefficients<R> oren_nayar_coefficients(R sigma) {
+    const R s2 = sigma * sigma;
+    return {R(1) - R(0.5) * s2 / (s2 + R(0.33)), R(0.45) * s2 / (s2 + R(0.09))};
+}
+
+/// Oren and Nayar's reflection of a rough diffuse surface, times cosθ_i.
+///
+///     f_r = ρ/π (A + B max(0, cos(θ_i − θ_o)) sinα tanβ)                printed          (B20)
+///
+/// computed as f_r cosθ_i = ρ/π cosθ_i (A + B max(0, s)/max(cosθ_i, cosθ_o)), with
+/// s = sinθ_i sinθ_o cos(φ_i − φ_o) = (n × ω_i)·(n × ω_o). The cosine is of the difference of
+/// azimuths. α and β are the larger and the smaller angle, so sinα tanβ = sinθ_i sinθ_o/cosβ, and
+/// s is defined where an angle is 0 and there is no azimuth. cosθ_i ≤ cosβ: the product with cosθ_i
+/// is bounded where tanβ is not.
+/// in      rho      albedo, a channel                 [0, 1]              1
+///         k        A and B                                               1
+///         n_i, n_o cosθ_i, cosθ_o, not both 0        [0, 1]              1
+///         s        see above                         [−1, 1]             1
+/// out     f_r cosθ_i                                 [0, 1/π·1.1]        1/sr
+/// error   ≤ 9 u, of positive terms
+/// checks  σ = 0 is Lambert; a turn about the normal changes nothing, with the printed cosine it
+///         does not depend on azimuths at all; finite at grazing angles   tests/eq/reflection_test.cpp
+/// source  Oren and Nayar 1994
+template <Real R>
+Rgb<R> oren_nayar_f_cos(const Rgb<R>& rho, const OrenNayarCoefficients<R>& k, R n_i, R n_o, R s) {
+    const R share = n_i / max(n_i, n_o);
+    return rho * ((k.A * n_i + k.B * max(s, R(0)) * share) * inv_pi_as<R>());
 }
 
 /// Cosine between the normal and the half vector, without the vector itself.

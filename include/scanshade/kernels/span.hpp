@@ -59,12 +59,14 @@ struct Lighting {
 };
 
 inline constexpr std::size_t max_params = 8;
+inline constexpr std::size_t max_derived = 2;
 
 /// A material's numbers as kernels see them; what the indices mean is the model's business.
 template <class T>
 struct MaterialParams {
     T value[max_params][3];         // a number has it in all three
     Exponent exponent[max_params];  // of parameters of kind exponent
+    T derived[max_derived];         // what the model computes from the others, once a material
     T ka[3];                        // factor of the ambient light
     T emission[3];                  // radiance added
     bool matt;                      // leave out the specular term, which is black

@@ -1,4 +1,5 @@
-// The operations that equations use, for float and double. Lanes (num/lanes.hpp) has the same.
+// The operations that equations use, for float, double and long double. Lanes (num/lanes.hpp),
+// Interval and Dual have the same.
 #if defined(SCANSHADE_NUM_REAL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef SCANSHADE_NUM_REAL_HPP
 #undef SCANSHADE_NUM_REAL_HPP
@@ -28,6 +29,8 @@ template <>
 struct RealTraits<float> : ScalarTraits<float> {};
 template <>
 struct RealTraits<double> : ScalarTraits<double> {};
+template <>
+struct RealTraits<long double> : ScalarTraits<long double> {};
 
 template <class R>
 using Scalar = typename RealTraits<R>::Scalar;

@@ -12,11 +12,12 @@ namespace scanshade {
 struct Texture;
 
 /// A parameter as an input gives it: by the model's name for it ("kd", "shininess", "ka", ...).
-/// One number means the same for each channel.
+/// One number means the same for each channel; a choice is a word.
 struct ParamSetting {
     std::string name;
-    std::vector<double> values;  // one or three
+    std::vector<double> values;  // one or three; none where the value is a word
     std::string place;           // where it was given, for messages: "scene.toml:12" or "--set kd"
+    std::string word{};
 };
 
 /// A material is resolved against the registry of reflection models when a scene is prepared, so
@@ -35,6 +36,7 @@ struct Material {
     }
     /// Sets a parameter, replacing an earlier value.
     void set(std::string_view parameter, std::vector<double> values, std::string from = {});
+    void set_word(std::string_view parameter, std::string word, std::string from = {});
 };
 
 }  // namespace scanshade
