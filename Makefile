@@ -70,9 +70,12 @@ $(BUILD)/gen/brdf_models.inc: $(wildcard src/brdf/*.cpp)
 	@mkdir -p $(@D)
 	@sed -n 's/^#define SCANSHADE_MODEL \(.*\)/MODEL(\1)/p' $(MODEL_FILES) > $@
 
-# The loops over samples: what inlines and unrolls there pays.
+# The loops over samples: what inlines and unrolls there pays. GCC copies structs of vectors in halves
+# and quarters unless it is told otherwise, and reading what was just written so waits.
+WIDE_MOVES := $(shell echo 'int x;' | $(CXX) -mmove-max=512 -mstore-max=512 -x c++ -c -o /dev/null - \
+                2>/dev/null && echo -mmove-max=512 -mstore-max=512)
 ifeq ($(config),release)
-$(call object,$(MODEL_FILES) $(filter-out %/isa.cpp,$(wildcard src/kernels/*.cpp))): ALL_CXXFLAGS += -O3
+$(call object,$(MODEL_FILES) $(filter-out %/isa.cpp,$(wildcard src/kernels/*.cpp))): ALL_CXXFLAGS += -O3 $(WIDE_MOVES)
 endif
 
 $(LIB): $(call object,$(LIB_SOURCES))
