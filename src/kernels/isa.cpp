@@ -20,18 +20,24 @@ std::string name_of(std::int64_t target) {
     return name;
 }
 
+/// Asked once: when one has been chosen, Highway knows of no other.
+const std::vector<std::int64_t>& all_targets() {
+    static const std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();
+    return targets;
+}
+
 }  // namespace
 
 std::vector<std::string> instruction_sets() {
     std::vector<std::string> names;
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets())
-        names.push_back(name_of(target));
+    for (const std::int64_t target : all_targets()) names.push_back(name_of(target));
     return names;
 }
 
 void use_instruction_set(const std::string& name) {
+    const std::vector<std::int64_t>& targets = all_targets();
     if (name.empty()) return hwy::SetSupportedTargetsForTest(0);
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets())
+    for (const std::int64_t target : targets)
         if (name == name_of(target)) return hwy::SetSupportedTargetsForTest(target);
     throw Error(Errc::usage,
                 fmt::format("this machine does not run the instruction set '{}'; it runs {}", name,
