@@ -14,8 +14,11 @@ CXXFLAGS_release := -O2
 CXXFLAGS_debug   := -O0 -g
 CXXFLAGS_asan    := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all \
                     -fno-omit-frame-pointer -Wno-maybe-uninitialized  # false alarms in Catch
+# oneTBB is not instrumented; loops run on threads of the standard library instead.
+CXXFLAGS_tsan    := -O1 -g -fsanitize=thread -fno-omit-frame-pointer -DSCANSHADE_STD_THREADS \
+                    -Wno-maybe-uninitialized
 ifeq ($(CXXFLAGS_$(config)),)
-$(error config=$(config) is unknown; use release, debug or asan)
+$(error config=$(config) is unknown; use release, debug, asan or tsan)
 endif
 ALL_CXXFLAGS = $(CXXFLAGS_COMMON) $(CXXFLAGS_$(config)) $(CXXFLAGS)
 SDL_CFLAGS = $(shell pkg-config --cflags sdl2 2>/dev/null)
@@ -152,6 +155,11 @@ bench: deps-bench  ## times beside llvmpipe and Embree, in build/bench/; CELLS=q
 	    --commit "$$(git describe --always --dirty 2>/dev/null || echo unknown)" \
 	    --build='$(strip $(CXX) $(filter-out -W% -I% -M%,$(CXXFLAGS_COMMON) $(CXXFLAGS_$(config)) $(CXXFLAGS)))'
 
+.PHONY: soak
+soak: deps-test  ## N=20000 random scenes from seed FIRST=1 on, on every instruction set; an hour
+	@$(SUBMAKE) all tests
+	@SCANSHADE_SOAK=$(or $(N),20000) SCANSHADE_SOAK_FIRST=$(or $(FIRST),1) $(TESTS) '[.soak]'
+
 CHECKS := check-selftest check-layers check-equations check-format check-headers
 HEADERS := $(shell find include -name '*.hpp' 2>/dev/null | sort)
 FORMATTED = $(shell find include src tests -name '*.hpp' -o -name '*.cpp' | sort)
@@ -228,5 +236,5 @@ clean:  ## remove everything that was built
 help:  ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-14s %s\n", $$1, $$2}' $(firstword $(MAKEFILE_LIST))
 	@echo
-	@echo "  config=release|debug|asan   which build (default release), in build/CONFIG/"
+	@echo "  config=release|debug|asan|tsan  which build (default release), in build/CONFIG/"
 	@echo "  JOBS=N                      how many compilers run at once (default: one a core)"

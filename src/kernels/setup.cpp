@@ -509,7 +509,11 @@ private:
             const bool one_tile = tx0 == tx1 && ty0 == ty1;
             const bool few_blocks =
                 x1[lane] / 4 - x0[lane] / 4 <= 1 && y1[lane] / 4 - y0[lane] / 4 <= 1;
-            if (one_tile && few_blocks)
+            // Small triangles are drawn in 2 × 2 blocks. The second column must not be beyond the
+            // tile's last, where a triangle that the picture's edge cuts may go on.
+            const bool cut =
+                x1[lane] == view_.width - 1 && x0[lane] % tile_side >= tile_side - block_side;
+            if (one_tile && few_blocks && !cut)
                 return worker_.small.push(std::size_t(ty0 * view_.tiles_x + tx0), ref);
             for (int ty = ty0; ty <= ty1; ++ty)
                 for (int tx = tx0; tx <= tx1; ++tx)

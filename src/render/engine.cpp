@@ -117,7 +117,9 @@ void Engine::Pass::set_up_cluster(std::size_t object, std::size_t number, Engine
     const bool clip = !(leaves_out(PlanRow::clipping) && cull_.unclipped(bounds));
     if (!clip) save(PlanRow::clipping, cluster.vertex_count);
     const SetupMaterial& material = objects_[object].material[cluster.material];
-    if (!material.store_normals) save(PlanRow::normals, cluster.triangle_count);
+    // Gouraud surfaces have planes of radiance in their place.
+    if (!material.store_normals && objects_[object].shading != Shading::gouraud)
+        save(PlanRow::normals, cluster.triangle_count);
     if (!material.store_texcoords) save(PlanRow::texcoords, cluster.triangle_count);
     worker.triangles += cluster.triangle_count;
     setup_cluster(setup_, objects_[object], static_cast<std::uint32_t>(number), clip,
@@ -203,10 +205,11 @@ void Engine::Pass::raster() {
 }
 
 void Engine::Pass::light_points() {
-    if (!leaves_out(PlanRow::unseen_points)) light_.see_all();
+    const bool seen_only = leaves_out(PlanRow::unseen_points);
+    if (!seen_only) light_.see_all();
     const EngineLight::Counts points = light_.light(frame_.events);
     frame_.items += points.lit;
-    frame_.saved[std::size_t(PlanRow::unseen_points)] += points.all - points.lit;
+    if (seen_only) frame_.saved[std::size_t(PlanRow::unseen_points)] += points.all - points.lit;
 }
 
 void Engine::Pass::shade() {

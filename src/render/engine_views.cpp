@@ -11,6 +11,8 @@ namespace scanshade {
 /// snapping moves corners. That does not matter to a light 128 times farther away.
 bool Engine::Pass::position_from_depth() const {
     const View& view = frame_.view;
+    // `edges` carries positions linearly on the picture: not the points that depth stands for.
+    if (frame_.plan.interpolation == Interpolation::edges && !view.orthographic) return false;
     const double reach =
         view.orthographic ? 4 * (double(view.far) - double(view.near)) : glm::length(view.eye) + 2;
     return state_.scene.light_distance * 128 >= reach;

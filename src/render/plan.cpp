@@ -38,8 +38,9 @@ void plan_objects(const Scene& scene, const Settings& settings, RenderPlan& plan
         plan.vertices += object.mesh->vertex_count();
         if (plan.renderer == RendererKind::simd)
             plan.clusters += clusters_of(*object.mesh).clusters.size();
-        plan.face_light |= shading == Shading::flat;
-        plan.vertex_light |= shading == Shading::gouraud;
+        const bool drawn = object.mesh->triangle_count() > 0;
+        plan.face_light |= drawn && shading == Shading::flat;
+        plan.vertex_light |= drawn && shading == Shading::gouraud;
     }
     if (plan.triangles >= no_index)
         throw Error(Errc::scene, fmt::format("the scene has {} triangles; at most {} can be drawn",

@@ -24,6 +24,7 @@ public:
     std::int64_t integer(std::int64_t low, std::int64_t high) {
         return low + static_cast<std::int64_t>(bits() % static_cast<std::uint64_t>(high - low + 1));
     }
+    bool chance(double probability) { return real(0, 1) < probability; }
 
 private:
     std::uint64_t state_;

@@ -1,0 +1,75 @@
+// The vector renderer on random scenes: what its plan leaves out changes no bit, and it shows what
+// its scalar twin shows. TAGS=[.soak] draws as many as the environment's SCANSHADE_SOAK says, on every
+// instruction set.
+#include <cstdlib>
+
+#include "scanshade/kernels/isa.hpp"
+#include "support/catch.hpp"
+#include "support/level_check.hpp"
+#include "support/plan_check.hpp"
+#include "support/random_scene.hpp"
+
+using namespace scanshade;
+
+namespace {
+
+struct Totals {
+    PlanSavings saved{};
+    LevelCounts levels;
+};
+
+/// All checks of one scene; what is wrong, or "".
+std::string check_scene(const RandomScene& random, Totals& totals) {
+    const std::string plan = plan_difference(random.scene, random.settings, totals.saved);
+    if (!plan.empty()) return plan;
+    Drawn drawn;
+    const std::string twin = scalar_difference(random.scene, random.settings,
+                                               RendererKind::scalar_f32, drawn, totals.levels);
+    if (!twin.empty()) return twin;
+    PixelBuffer bytes;
+    Renderer(random.scene, random.settings).draw(bytes);
+    const Settings& s = random.settings;
+    if (to_image(bytes).rgb != encode(drawn.frame, s.transfer, s.exposure_ev).rgb)
+        return "bytes that are written at once differ from those of the float picture";
+    return "";
+}
+
+/// Draws scenes [first, first + count) on one instruction set.
+Totals check_scenes(std::uint64_t first, std::uint64_t count, const std::string& isa) {
+    Totals totals;
+    for (std::uint64_t seed = first; seed < first + count; ++seed) {
+        RandomScene random = make_random_scene(seed);
+        random.settings.isa = isa;
+        const std::string wrong = check_scene(random, totals);
+        if (wrong.empty()) continue;
+        CAPTURE(seed, isa, describe(random));
+        CHECK(wrong == "");
+    }
+    use_instruction_set("");
+    return totals;
+}
+
+}  // namespace
+
+TEST_CASE("random scenes: the plan changes no bit, and the scalar twin shows the same",
+          "[engine][plan][random]") {
+    const Totals totals = check_scenes(1, 1000, instruction_sets().front());
+    CAPTURE(totals.levels.pixels, totals.levels.exempt, totals.levels.uncertain);
+    for (const PlanRowInfo& info : all_plan_rows()) {
+        CAPTURE(info.name);
+        CHECK(totals.saved[std::size_t(info.row)] > 0);
+    }
+}
+
+TEST_CASE("random scenes without end", "[.soak]") {
+    const char* number = std::getenv("SCANSHADE_SOAK");
+    const std::uint64_t count = number != nullptr ? std::strtoull(number, nullptr, 10) : 1000;
+    const char* start = std::getenv("SCANSHADE_SOAK_FIRST");
+    const std::uint64_t first = start != nullptr ? std::strtoull(start, nullptr, 10) : 1;
+    for (const std::string& isa : instruction_sets()) {
+        const Totals totals = check_scenes(first, count, isa);
+        WARN(isa << ": " << count << " scenes from seed " << first << ", " << totals.levels.pixels
+                 << " pixels, " << totals.levels.exempt << " at a threshold, "
+                 << totals.levels.uncertain << " of uncertain light");
+    }
+}

@@ -1,0 +1,21 @@
+// Random scenes that look for trouble: what no person would put together in one picture.
+#pragma once
+
+#include <string>
+
+#include "scanshade/scene/scene.hpp"
+
+namespace scanshade {
+
+struct RandomScene {
+    Scene scene;
+    Settings settings;
+};
+
+/// Everything follows from the seed. Pictures are small, at most 96 samples a side.
+RandomScene make_random_scene(std::uint64_t seed);
+
+/// What a person wants to know of a scene whose test failed, in a line.
+std::string describe(const RandomScene& random);
+
+}  // namespace scanshade
