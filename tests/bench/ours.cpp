@@ -1,4 +1,6 @@
 // Scanshade, through its public interface.
+#include <optional>
+
 #include "bench/rival.hpp"
 #include "bench/scenes.hpp"
 #include "scanshade/image/framebuffer.hpp"
@@ -22,22 +24,20 @@ public:
     std::string about() const override { return "scanshade"; }
 
     std::vector<std::string> prepare(const Cell& cell) override {
-        renderers_.clear();
+        renderer_.reset();
         const Scene scene = lit_scene(ground_.scene, cell);
         Settings settings = settings_of(cell, ground_.cull);
         settings.transfer = Transfer::linear;
         settings.threads = ground_.threads;
+        renderer_.emplace(scene, settings);
         std::vector<std::string> names;
-        for (const std::string& isa : sets_) {
-            renderers_.emplace_back(scene, settings);
-            names.push_back("simd " + isa);
-        }
+        for (const std::string& isa : sets_) names.push_back("simd " + isa);
         return names;
     }
 
     void draw(std::size_t way) override {
         use_instruction_set(sets_[way]);
-        renderers_[way].draw(pixels_);
+        renderer_->draw(pixels_);
     }
 
     Picture picture(std::size_t way) override {
@@ -45,15 +45,15 @@ public:
         Picture picture;
         picture.rgba.assign(pixels_.rgba.begin(), pixels_.rgba.end());
         Framebuffer frame;
-        renderers_[way].draw(frame);
+        renderer_->draw(frame);
         picture.id = frame.id;
         return picture;
     }
 
 private:
     Ground ground_;
-    std::vector<std::string> sets_;    // [way]
-    std::vector<Renderer> renderers_;  // [way]
+    std::vector<std::string> sets_;     // [way]
+    std::optional<Renderer> renderer_;  // of any instruction set
     PixelBuffer pixels_;
 };
 
