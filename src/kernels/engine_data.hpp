@@ -223,7 +223,9 @@ inline std::uint32_t ref_id(const RasterView& view, std::uint32_t ref) {
 }
 
 void clear_tile(TileBuffer& tile);
-/// Draws refs of SetupWorker::small and ::medium into the tile whose corner is (x, y).
+/// Draws refs of SetupWorker::tiny, ::small and ::medium into the tile whose corner is (x, y).
+void raster_tiny(const RasterView& view, int x, int y, const std::uint32_t* refs,
+                 std::uint32_t count, TileBuffer& tile);
 void raster_small(const RasterView& view, int x, int y, const std::uint32_t* refs,
                   std::uint32_t count, TileBuffer& tile);
 void raster_medium(const RasterView& view, int x, int y, const std::uint32_t* refs,
@@ -344,8 +346,9 @@ void write_background(const PictureView& picture, int x, int y, int width, int h
 
 /// What one worker of set-up has made.
 struct SetupWorker {
+    TileLists tiny;    // refs of batches: within one block
     TileLists small;   // within one tile and 2 × 2 blocks
-    TileLists medium;  // refs of batches that reach further
+    TileLists medium;  // further
     std::vector<SpecialTriangle> special;
     std::uint32_t next_batch = 0, last_batch = 0;  // of the run taken from the store
     EventCounts events;

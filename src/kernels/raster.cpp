@@ -134,6 +134,16 @@ void write_owned(const RasterView& view, int tile_x, int tile_y, TileBuffer& til
         if (tile.owner[s] != no_ref) write_subtile(view, tile_x, tile_y, s, tile);
 }
 
+void draw_tiny(const RasterView& view, int x, int y, const std::uint32_t* refs, std::uint32_t count,
+               TileBuffer& tile) {
+    write_all(view, x, y, tile);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const BatchTriangle t(*view.batches, refs[i]);
+        t.draw(view, 0, 0, refs[i],
+               block_at((t.origin_x() - x) / block_side, (t.origin_y() - y) / block_side), tile);
+    }
+}
+
 void draw_small(const RasterView& view, int x, int y, const std::uint32_t* refs,
                 std::uint32_t count, TileBuffer& tile) {
     write_all(view, x, y, tile);
@@ -379,6 +389,7 @@ SCANSHADE_TARGET_END;
 #if HWY_ONCE
 namespace scanshade {
 
+HWY_EXPORT(draw_tiny);
 HWY_EXPORT(draw_small);
 HWY_EXPORT(draw_medium);
 HWY_EXPORT(draw_record);
@@ -390,6 +401,10 @@ void clear_tile(TileBuffer& tile) {
     std::fill(std::begin(tile.written), std::end(tile.written), false);
     std::fill(std::begin(tile.nearest), std::end(tile.nearest), 0.0f);
     std::fill(std::begin(tile.farthest), std::end(tile.farthest), 0.0f);
+}
+void raster_tiny(const RasterView& view, int x, int y, const std::uint32_t* refs,
+                 std::uint32_t count, TileBuffer& tile) {
+    HWY_DYNAMIC_DISPATCH(draw_tiny)(view, x, y, refs, count, tile);
 }
 void raster_small(const RasterView& view, int x, int y, const std::uint32_t* refs,
                   std::uint32_t count, TileBuffer& tile) {

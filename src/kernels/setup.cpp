@@ -506,15 +506,15 @@ private:
             const std::uint32_t ref = batch * std::uint32_t(N) + lane;
             const int tx0 = x0[lane] >> tile_shift, tx1 = x1[lane] >> tile_shift;
             const int ty0 = y0[lane] >> tile_shift, ty1 = y1[lane] >> tile_shift;
+            const int columns = x1[lane] / 4 - x0[lane] / 4, rows = y1[lane] / 4 - y0[lane] / 4;
+            const auto tile = std::size_t(ty0 * view_.tiles_x + tx0);
+            if (columns == 0 && rows == 0) return worker_.tiny.push(tile, ref);
             const bool one_tile = tx0 == tx1 && ty0 == ty1;
-            const bool few_blocks =
-                x1[lane] / 4 - x0[lane] / 4 <= 1 && y1[lane] / 4 - y0[lane] / 4 <= 1;
             // Small triangles are drawn in 2 × 2 blocks. The second column must not be beyond the
             // tile's last, where a triangle that the picture's edge cuts may go on.
             const bool cut =
                 x1[lane] == view_.width - 1 && x0[lane] % tile_side >= tile_side - block_side;
-            if (one_tile && few_blocks && !cut)
-                return worker_.small.push(std::size_t(ty0 * view_.tiles_x + tx0), ref);
+            if (one_tile && columns <= 1 && rows <= 1 && !cut) return worker_.small.push(tile, ref);
             for (int ty = ty0; ty <= ty1; ++ty)
                 for (int tx = tx0; tx <= tx1; ++tx)
                     worker_.medium.push(std::size_t(ty * view_.tiles_x + tx), ref);

@@ -59,6 +59,7 @@ Engine::Pass::Pass(State& state, Frame& frame)
 
 void Engine::Pass::reset_workers() {
     for (EngineWorker& worker : state_.workers) {
+        worker.setup.tiny.reset(tile_count());
         worker.setup.small.reset(tile_count());
         worker.setup.medium.reset(tile_count());
         worker.setup.special.clear();
@@ -172,8 +173,8 @@ void Engine::Pass::make_records(EngineWorker& worker) {
 bool Engine::Pass::left_empty(std::size_t tile) const {
     return leaves_out(PlanRow::empty_tiles) &&
            std::all_of(state_.workers.begin(), state_.workers.end(), [&](const EngineWorker& w) {
-               return w.setup.small.empty(tile) && w.setup.medium.empty(tile) &&
-                      w.records.lists.empty(tile);
+               return w.setup.tiny.empty(tile) && w.setup.small.empty(tile) &&
+                      w.setup.medium.empty(tile) && w.records.lists.empty(tile);
            });
 }
 
@@ -268,6 +269,10 @@ void Engine::Pass::raster_tile(std::size_t number, int x, int y, TileBuffer& til
     for (const EngineWorker& worker : state_.workers)
         worker.setup.medium.each(number, [&](const std::uint32_t* refs, std::uint32_t count) {
             raster_medium(view, x, y, refs, count, tile);
+        });
+    for (const EngineWorker& worker : state_.workers)
+        worker.setup.tiny.each(number, [&](const std::uint32_t* refs, std::uint32_t count) {
+            raster_tiny(view, x, y, refs, count, tile);
         });
     for (const EngineWorker& worker : state_.workers)
         worker.setup.small.each(number, [&](const std::uint32_t* refs, std::uint32_t count) {
