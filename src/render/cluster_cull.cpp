@@ -50,7 +50,7 @@ bool ClusterCull::facing_away(const ClusterBounds& cluster) const {
     const double sin_a = double(cluster.sin_cone), cos_a = std::sqrt(1 - sin_a * sin_a);
     const double cos_g = std::sqrt(1 - sin_g * sin_g);
     const double sin_ag = sin_a * cos_g + cos_a * sin_g, cos_ag = cos_a * cos_g - sin_a * sin_g;
-    const double cos_b = glm::dot(glm::dvec3(cluster.axis), along);
+    const double cos_b = glm::dot(cluster.axis, along);
     if (cos_ag <= 0 || cos_b <= sin_ag) return false;
     const double sin_b = std::sqrt(std::max(0.0, 1 - cos_b * cos_b));
     const double least = cos_b * cos_ag - sin_b * sin_ag;

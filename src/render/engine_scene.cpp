@@ -32,7 +32,7 @@ ClusterBounds world_bounds(const Cluster& cluster, const glm::dmat3& linear,
     out.sin_cone = similar ? cluster.sin_cone : 1.0f;
     // A reflection turns normals as it turns positions, times the sign of its determinant; what is
     // asked is the side that the picture shows, and that goes with it.
-    out.axis = similar ? glm::vec3(map(cluster.axis) / std::sqrt(scale2)) : glm::vec3(0);
+    out.axis = out.sin_cone < 1 ? glm::normalize(map(cluster.axis)) : glm::dvec3(0);
     out.least_height = similar ? float(double(cluster.least_height) * std::sqrt(scale2)) : 0.0f;
     return out;
 }

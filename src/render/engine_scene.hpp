@@ -11,7 +11,8 @@ namespace scanshade {
 
 /// A cluster's sphere and cone in normalised world space.
 struct ClusterBounds {
-    glm::vec3 centre, axis;
+    glm::vec3 centre;
+    glm::dvec3 axis;  // unit: of a float's rounding the cosine would make a visible angle
     float radius;
     float sin_cone;      // 1: no common side
     float least_height;  // of its triangles

@@ -151,12 +151,36 @@ private:
             cluster.centre[c] = bounds.center[c];
             cluster.axis[c] = bounds.cone_axis[c];
         }
-        // Rounding outward: what the sphere and the cone exclude is left out of the picture.
-        constexpr float outward = 1 + 1e-5f;
-        cluster.radius = bounds.radius * outward + 1e-30f;
-        const glm::vec3 axis(cluster.axis[0], cluster.axis[1], cluster.axis[2]);
-        const bool has_cone = bounds.cone_cutoff < 1 && glm::length(axis) > 0.5f;
-        cluster.sin_cone = has_cone ? std::min(1.0f, bounds.cone_cutoff * outward + 1e-5f) : 1.0f;
+        // The sphere and the cone are measured again, in double and around what has been rounded:
+        // what they exclude is left out of the picture, and in float the area of a needle may be 0
+        // and its normal point anywhere.
+        constexpr double outward = 1 + 1e-5;
+        const auto vec = [](const std::array<float, 3>& v) {
+            return glm::dvec3(double(v[0]), double(v[1]), double(v[2]));
+        };
+        double radius = 0;
+        for (std::uint32_t i = 0; i < meshlet.vertex_count; ++i)
+            radius = std::max(radius, glm::distance(position(vertices[i]), vec(cluster.centre)));
+        cluster.radius = float(radius * outward);
+        const double sine = sine_of_cone(meshlet, vertices, corners, vec(cluster.axis));
+        cluster.sin_cone = float(std::min(1.0, sine * outward + 1e-5));
+    }
+
+    /// Sine of the largest angle between the axis and a normal; 1 where one is not on its side.
+    double sine_of_cone(const meshopt_Meshlet& meshlet, const unsigned int* vertices,
+                        const unsigned char* corners, const glm::dvec3& axis) const {
+        if (!(glm::length(axis) > 0.5)) return 1;
+        const glm::dvec3 a = glm::normalize(axis);
+        double sine = 0;
+        for (const unsigned char* l = corners; l != corners + 3 * meshlet.triangle_count; l += 3) {
+            const glm::dvec3 p = position(vertices[l[0]]);
+            const glm::dvec3 n =
+                glm::cross(position(vertices[l[1]]) - p, position(vertices[l[2]]) - p);
+            if (!(glm::length(n) > 0)) continue;  // least_height is 0
+            if (!(glm::dot(n, a) > 0)) return 1;
+            sine = std::max(sine, glm::length(glm::cross(n, a)) / glm::length(n));
+        }
+        return sine;
     }
 
     const Mesh& mesh_;
