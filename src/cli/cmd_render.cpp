@@ -47,9 +47,13 @@ void check_outputs(const RenderArgs& args) {
 }
 
 void note_verbose(const Run& run) {
-    for (const PlanLine& line : explain(run.plan))
-        note(fmt::format("plan: {} {}: {}", line.stage, line.runs ? "runs" : "is left out",
-                         line.reason));
+    for (const PlannedStage& stage : explain_stages(run.plan))
+        note(fmt::format("stage: {} {}: {}", stage.name, stage.runs ? "runs" : "is left out",
+                         stage.reason));
+    for (const PlannedRow& row : explain_rows(run.plan, run.frames.back().saved))
+        note(row.left_out ? fmt::format("plan: {} left out, {}: {}", row.info->name, row.amount(),
+                                        row.reason)
+                          : fmt::format("plan: {} done: {}", row.info->name, row.reason));
     for (const StageStats& stage : run.frames.back().stages)
         if (stage.ran)
             note(fmt::format("time: {} {:.3f} ms, {} {}", stage.name, stage.ms, stage.items,

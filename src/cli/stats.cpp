@@ -47,10 +47,17 @@ Json stages_json(const std::vector<FrameStats>& frames) {
     return stages;
 }
 
-Json left_out_json(const RenderPlan& plan) {
+Json left_out_json(const RenderPlan& plan, const PlanSavings& saved) {
     Json rows = Json::array();
-    for (const PlanLine& line : explain(plan))
-        if (!line.runs) rows.push_back({{"stage", line.stage}, {"reason", line.reason}});
+    for (const PlannedStage& stage : explain_stages(plan))
+        if (!stage.runs) rows.push_back({{"name", stage.name}, {"reason", stage.reason}});
+    for (const PlannedRow& row : explain_rows(plan, saved))
+        if (row.left_out)
+            rows.push_back({{"name", row.info->name},
+                            {"reason", row.reason},
+                            {"saved", row.saving.saved},
+                            {"of", row.saving.of},
+                            {"unit", row.info->unit}});
     return rows;
 }
 
@@ -111,7 +118,7 @@ std::string stats_json(const Run& run) {
           {"materials", run.totals.materials},
           {"lights", run.lights},
           {"covered_samples", run.totals.samples}}},
-        {"left_out", left_out_json(run.plan)},
+        {"left_out", left_out_json(run.plan, run.frames.back().saved)},
         {"events", events_json(run.events)},
         {"peak_memory_bytes", peak_memory_bytes()},
     };

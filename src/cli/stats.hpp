@@ -36,7 +36,8 @@ FrameTimes frame_times(const std::vector<FrameStats>& frames);
 ///     frame_ms           {median, min} over the frames
 ///     stages             [{name, ran, ms, items, item_name}]; ms is the median over the frames
 ///     counts             {objects, faces, triangles, vertices, materials, lights, covered_samples}
-///     left_out           [{stage, reason}]
+///     left_out           [{name, reason}] of stages, then [{name, reason, saved, of, unit}] of rows
+///                        of the plan: what the last frame did without
 ///     events             [{name, meaning, count, rate, allowed_rate, among}], those that happened
 ///     peak_memory_bytes
 std::string stats_json(const Run& run);

@@ -108,20 +108,24 @@ void Engine::Pass::set_up() {
 void Engine::Pass::set_up_cluster(std::size_t object, std::size_t number, EngineWorker& worker) {
     const ClusterBounds& bounds = state_.scene.objects[object].bounds[number];
     const Cluster& cluster = objects_[object].mesh->clusters[number];
-    const auto save = [&](PlanRow row, std::uint64_t amount) {
-        worker.saved[std::size_t(row)] += amount;
+    const auto save = [&](PlanRow row, bool saved, std::uint64_t amount) {
+        count(worker.saved, row, {saved ? amount : 0, amount});
+        return saved;
     };
-    if (leaves_out(PlanRow::clusters_outside) && cull_.outside(bounds))
-        return save(PlanRow::clusters_outside, cluster.triangle_count);
-    if (leaves_out(PlanRow::clusters_facing_away) && cull_.facing_away(bounds))
-        return save(PlanRow::clusters_facing_away, cluster.triangle_count);
+    const std::uint64_t triangles = cluster.triangle_count;
+    if (save(PlanRow::clusters_outside,
+             leaves_out(PlanRow::clusters_outside) && cull_.outside(bounds), triangles))
+        return;
+    if (save(PlanRow::clusters_facing_away,
+             leaves_out(PlanRow::clusters_facing_away) && cull_.facing_away(bounds), triangles))
+        return;
     const bool clip = !(leaves_out(PlanRow::clipping) && cull_.unclipped(bounds));
-    if (!clip) save(PlanRow::clipping, cluster.vertex_count);
+    save(PlanRow::clipping, !clip, cluster.vertex_count);
     const SetupMaterial& material = objects_[object].material[cluster.material];
-    // Gouraud surfaces have planes of radiance in their place.
-    if (!material.store_normals && objects_[object].shading != Shading::gouraud)
-        save(PlanRow::normals, cluster.triangle_count);
-    if (!material.store_texcoords) save(PlanRow::texcoords, cluster.triangle_count);
+    // Gouraud's triangles carry light, never normals.
+    if (objects_[object].shading != Shading::gouraud)
+        save(PlanRow::normals, !material.store_normals, triangles);
+    save(PlanRow::texcoords, !material.store_texcoords, triangles);
     worker.triangles += cluster.triangle_count;
     setup_cluster(setup_, objects_[object], static_cast<std::uint32_t>(number), clip,
                   state_.batches, worker.setup);
@@ -210,7 +214,8 @@ void Engine::Pass::light_points() {
     if (!seen_only) light_.see_all();
     const EngineLight::Counts points = light_.light(frame_.events);
     frame_.items += points.lit;
-    if (seen_only) frame_.saved[std::size_t(PlanRow::unseen_points)] += points.all - points.lit;
+    const std::uint64_t unlit = seen_only ? points.all - points.lit : 0;
+    count(frame_.saved, PlanRow::unseen_points, {unlit, points.all});
 }
 
 void Engine::Pass::shade() {
@@ -224,9 +229,13 @@ void Engine::Pass::shade() {
         frame_.events += worker.setup.events;
         frame_.events += worker.events;
         frame_.events += worker.shader->events;
-        for (std::size_t row = 0; row < plan_row_count; ++row)
-            frame_.saved[row] += worker.saved[row] + worker.shader->saved[row];
+        frame_.saved += worker.saved;
+        frame_.saved += worker.shader->saved;
+        count(frame_.saved, PlanRow::positions, {worker.covered, worker.covered});
     }
+    const RenderPlan& plan = frame_.plan;
+    if (frame_.first_sample)
+        count(frame_.saved, PlanRow::specular, {plan.matt_materials, plan.used_materials});
 }
 
 void Engine::Pass::draw_background() {
@@ -240,7 +249,7 @@ void Engine::Pass::draw_background() {
                                          int(tile / std::size_t(tiles_x_)) * tile_);
                  });
     frame_.items += tiles;
-    frame_.saved[std::size_t(PlanRow::empty_tiles)] += tiles;
+    count(frame_.saved, PlanRow::empty_tiles, {tiles, tile_count()});
 }
 
 void Engine::Pass::write_empty(int x, int y) const {

@@ -18,7 +18,7 @@ struct EngineWorker {
     SetupWorker setup;
     RecordList records;
     EventCounts events;
-    PlanSavings saved{};
+    PlanSavings saved;
     std::unique_ptr<TileBuffer> tile = std::make_unique<TileBuffer>();
     std::unique_ptr<TileShader> shader;
     std::uint64_t covered = 0, triangles = 0, tiles = 0;
@@ -78,6 +78,10 @@ private:
     std::size_t tile_count() const { return std::size_t(tiles_x_) * std::size_t(tiles_y_); }
     EngineWorker& worker(int number) { return state_.workers[std::size_t(number)]; }
     bool leaves_out(PlanRow row) const { return frame_.plan.leaves_out(row); }
+    /// Only what the row saves: some work is not needed whatever the plan says.
+    void count(PlanSavings& savings, PlanRow row, PlanSaving saving) const {
+        if (leaves_out(row)) savings[row] += saving;
+    }
 
     State& state_;
     Frame& frame_;

@@ -33,10 +33,7 @@ TileShader::TileShader(const TileShading& shading)
       surface_{},
       face_(shading.frame, shading.surfaces, events),
       mixed_{},
-      lit_(shading.lighting.lit) {
-    if (shading.frame.plan.leaves_out(PlanRow::specular))
-        saved[std::size_t(PlanRow::specular)] = shading.frame.plan.matt_materials;
-}
+      lit_(shading.lighting.lit) {}
 
 std::uint64_t TileShader::shade(int x, int y, const TileBuffer& tile) {
     choose_lights(x, y, tile);
@@ -61,9 +58,6 @@ void TileShader::shade_subtile(int x, int y, int subtile, const TileBuffer& tile
     resolve_subtile(shading_.resolve, x, y, subtile, tile, surface_);
     if (!surface_.open.empty()) fill_open(x, y, tile);
     if (shading_.frame.plan.texture) look_up_textures(x, y, tile);
-    if (shading_.frame.plan.leaves_out(PlanRow::positions))
-        saved[std::size_t(PlanRow::positions)] +=
-            surface_.vectors * shading_.resolve.raster.batches->lanes();
     illuminate();
     const std::uint64_t black = write_radiance(shading_.frame.picture, x, y, subtile, surface_);
     if (black > 0) events.add(Event::not_finite, black);
@@ -179,7 +173,7 @@ void TileShader::look_up_textures(int x, int y, const TileBuffer& tile) {
 void TileShader::choose_lights(int x, int y, const TileBuffer& tile) {
     const RenderPlan& plan = shading_.frame.plan;
     if (!plan.leaves_out(PlanRow::dark_lights)) return;
-    saved[std::size_t(PlanRow::dark_lights)] += plan.dark_lights;
+    saved[PlanRow::dark_lights] += {plan.dark_lights, plan.light_count};
     if (plan.narrow_lights == 0) return;
     const TileSphere sphere = tile_sphere(shading_.resolve, x, y, tile);
     lit_.lights.clear();
@@ -187,7 +181,7 @@ void TileShader::choose_lights(int x, int y, const TileBuffer& tile) {
         if (light.touches || reaches(light, sphere))
             lit_.lights.push_back(light);
         else
-            ++saved[std::size_t(PlanRow::dark_lights)];
+            ++saved[PlanRow::dark_lights].saved;
 }
 
 const Lighting<float>& TileShader::lighting_for(const ResolvedMaterial& material) const {
@@ -197,7 +191,7 @@ const Lighting<float>& TileShader::lighting_for(const ResolvedMaterial& material
 void TileShader::illuminate() {
     const RenderPlan& plan = shading_.frame.plan;
     if (plan.leaves_out(PlanRow::material_lookup) && surface_.vectors > 0) {
-        ++saved[std::size_t(PlanRow::material_lookup)];
+        saved[PlanRow::material_lookup] += {1, 1};
         float* radiance[3] = {surface_.radiance[0], surface_.radiance[1], surface_.radiance[2]};
         return illuminate_all(surface_.parts.front().material, radiance);
     }

@@ -32,7 +32,7 @@ public:
     std::uint64_t shade(int x, int y, const TileBuffer& tile);
 
     EventCounts events;
-    PlanSavings saved{};
+    PlanSavings saved;
 
 private:
     void choose_lights(int x, int y, const TileBuffer& tile);

@@ -116,7 +116,7 @@ void Engine::Pass::make_lights() {
         light.touches = double(light.point_scale) * nearest <= double(light.radius) * 1.01;
         light.constant = leaves_out(PlanRow::attenuation) && light.attenuation[1] == 0 &&
                          light.attenuation[2] == 0;
-        frame_.saved[std::size_t(PlanRow::attenuation)] += light.constant;
+        if (frame_.first_sample) count(frame_.saved, PlanRow::attenuation, {light.constant, 1});
     }
 }
 

@@ -53,7 +53,7 @@ struct Frame {
     // the vector renderer's
     Engine* engine = nullptr;
     PictureView picture{};
-    PlanSavings saved{};
+    PlanSavings saved;
 
     Framebuffer& target;
     EventCounts events;

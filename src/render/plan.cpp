@@ -110,17 +110,26 @@ RenderPlan make_plan(const Scene& scene, const Settings& settings) {
     return plan;
 }
 
-std::vector<PlanLine> explain(const RenderPlan& plan) {
-    std::vector<PlanLine> lines;
+std::vector<PlannedStage> explain_stages(const RenderPlan& plan) {
+    std::vector<PlannedStage> stages;
     for (const Stage& stage : stages_of(plan.renderer))
-        lines.push_back({stage.name, stage.needed(plan), stage.reason(plan)});
-    if (plan.renderer != RendererKind::simd) return lines;
+        stages.push_back({stage.name, stage.needed(plan), stage.reason(plan)});
+    return stages;
+}
+
+std::string PlannedRow::amount() const {
+    return fmt::format("{} of {} {}", saving.saved, saving.of, info->unit);
+}
+
+std::vector<PlannedRow> explain_rows(const RenderPlan& plan, const PlanSavings& saved) {
+    std::vector<PlannedRow> rows;
+    if (plan.renderer != RendererKind::simd) return rows;
     for (const PlanRowInfo& info : all_plan_rows()) {
-        const bool asked = info.applies(plan) && !plan.leaves_out(info.row);
-        lines.push_back(
-            {info.name, !plan.leaves_out(info.row), asked ? "asked for" : info.reason(plan)});
+        const bool left_out = plan.leaves_out(info.row);
+        const bool asked = info.applies(plan) && !left_out;
+        rows.push_back({&info, left_out, asked ? "asked for" : info.reason(plan), saved[info.row]});
     }
-    return lines;
+    return rows;
 }
 
 }  // namespace scanshade

@@ -4,6 +4,7 @@
 #include "cli/process.hpp"
 #include "scanshade/brdf/brdf.hpp"
 #include "scanshade/image/png.hpp"
+#include "scanshade/render/plan_rows.hpp"
 #include "scanshade/scene/settings.hpp"
 #include "support/catch.hpp"
 
@@ -159,14 +160,55 @@ TEST_CASE("a sheet has a cell for every shading and reflection model", "[cli]") 
         }
 }
 
-TEST_CASE("explain names every stage, and says run or left out with a reason", "[cli]") {
+TEST_CASE("--stats says what each row of the plan saved, of how much, and --verbose too", "[cli]") {
+    const TempFolder folder;
+    const std::string in = write_triangle(folder), out = folder.path / "out.png";
+    const std::vector<std::string> args{"render",       in,        "-o",       out,
+                                        "--resolution", "320,240", "--light",  "directional:0,0,-1",
+                                        "--stats",      "-",       "--verbose"};
+    const Finished run = run_well(args);
+    const nlohmann::json left_out = nlohmann::json::parse(run.out)["left_out"];
+    const auto entry = [&](const std::string& name) {
+        for (const auto& row : left_out)
+            if (row["name"] == name) return row;
+        FAIL("left_out has no " + name);
+        return nlohmann::json();
+    };
+    CHECK_FALSE(entry("average").contains("saved"));  // a stage
+    CHECK(entry("texture-coordinates") ==
+          nlohmann::json{{"name", "texture-coordinates"},
+                         {"reason", "0 of 1 materials have a texture"},
+                         {"saved", 1},
+                         {"of", 1},
+                         {"unit", "triangles"}});
+    CHECK(entry("attenuation")["saved"] == 1);
+    const auto tiles = entry("empty-tiles");
+    CHECK(tiles["of"] == 5 * 4);
+    CHECK(tiles["saved"] > 0);
+    CHECK(tiles["saved"] < tiles["of"]);
+    CHECK(run.err.find("plan: attenuation left out, 1 of 1 lights: ") != std::string::npos);
+    CHECK(run.err.find("plan: clusters-facing-away done: ") != std::string::npos);
+    CHECK(run.err.find("stage: shade runs: ") != std::string::npos);
+}
+
+TEST_CASE("explain says of each stage and row: run or left out, why, and how much", "[cli]") {
     const TempFolder folder;
     const std::string in = write_triangle(folder);
-    const std::string flat = run_well({"explain", in, "--shading", "flat"}).out;
-    const std::string phong = run_well({"explain", in, "--shading", "phong"}).out;
-    CHECK(flat.find("left out  ") != std::string::npos);
-    CHECK(flat.find("runs      ") != std::string::npos);
-    CHECK(flat != phong);
+    const std::string plan = run_well({"explain", in, "--samples", "4"}).out;
+    CAPTURE(plan);
+    for (const PlanRowInfo& row : all_plan_rows())
+        CHECK(plan.find("\n" + std::string(row.name) + " ") != std::string::npos);
+    CHECK(plan.find("\nraster        left out ") != std::string::npos);
+    CHECK(plan.find("\nset-up        runs      4 triangles ") != std::string::npos);
+    CHECK(plan.find("left out  4 of 4 triangles ") != std::string::npos);
+    CHECK(plan.find("960 × 720 pixels and 4 samples") != std::string::npos);
+
+    const std::string all = run_well({"explain", in, "--no-plan"}).out;
+    CHECK(all.find("asked for") != std::string::npos);
+    CHECK(all.find(" of 1 triangles") == std::string::npos);
+    const std::string scalar = run_well({"explain", in, "--renderer", "scalar-f32"}).out;
+    CHECK(scalar.find("row of the plan") == std::string::npos);
+    CHECK(scalar.find("visibility") != std::string::npos);
 }
 
 TEST_CASE("info counts what is in the file and shows materials as they are drawn", "[cli]") {

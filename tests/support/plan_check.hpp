@@ -29,7 +29,7 @@ inline std::string plan_difference(const Scene& scene, const Settings& settings,
         return found.empty() ? found : what + ": " + found;
     };
     const Drawn planned = draw(scene, settings);
-    for (std::size_t row = 0; row < plan_row_count; ++row) saved[row] += planned.stats.saved[row];
+    saved += planned.stats.saved;
     std::string found = compare(planned, "the plan");
     const RenderPlan plan = Renderer(scene, settings).plan();
     for (const PlanRowInfo& info : all_plan_rows()) {

@@ -65,12 +65,27 @@ RenderPlan make_plan(const Scene& scene, const Settings& settings);
 /// Lit, and what it adds for highlights is black.
 bool is_matt(const ResolvedMaterial& material);
 
-/// One line of `scanshade explain`: a stage, or work that a row of the plan leaves out.
-struct PlanLine {
-    std::string_view stage;
-    bool runs;
+/// A stage of the plan's renderer, as `scanshade explain` shows it.
+struct PlannedStage {
+    std::string_view name;
+    bool runs;           // else it is left out
     std::string reason;  // with the counts
 };
-std::vector<PlanLine> explain(const RenderPlan& plan);
+/// In the order in which they run.
+std::vector<PlannedStage> explain_stages(const RenderPlan& plan);
+
+/// A row of the plan and what it saved in a frame.
+struct PlannedRow {
+    const PlanRowInfo* info;
+    bool left_out;       // else the work is done
+    std::string reason;  // with the counts
+    PlanSaving saving;
+
+    /// "12 of 34 triangles".
+    std::string amount() const;
+};
+/// All rows in the order of PlanRow; none for the scalar renderers, which do all work. `saved` is
+/// that of a frame of this plan.
+std::vector<PlannedRow> explain_rows(const RenderPlan& plan, const PlanSavings& saved);
 
 }  // namespace scanshade

@@ -42,7 +42,31 @@ struct PlanRowInfo {
 /// All rows in the order of the enum.
 std::span<const PlanRowInfo> all_plan_rows();
 
-/// A number for each row: how much of its unit a frame did without.
-using PlanSavings = std::array<std::uint64_t, plan_row_count>;
+/// How much of a row's unit a frame did without, and of how much; with several samples a pixel, all
+/// samples together. Both are 0 for a row that is not left out.
+struct PlanSaving {
+    std::uint64_t saved = 0, of = 0;
+
+    PlanSaving& operator+=(const PlanSaving& other) {
+        saved += other.saved;
+        of += other.of;
+        return *this;
+    }
+    bool operator==(const PlanSaving&) const = default;
+};
+
+/// One for each row, in the order of the enum.
+class PlanSavings {
+public:
+    PlanSaving& operator[](PlanRow row) { return rows_[static_cast<std::size_t>(row)]; }
+    const PlanSaving& operator[](PlanRow row) const { return rows_[static_cast<std::size_t>(row)]; }
+    PlanSavings& operator+=(const PlanSavings& other) {
+        for (std::size_t i = 0; i < plan_row_count; ++i) rows_[i] += other.rows_[i];
+        return *this;
+    }
+
+private:
+    std::array<PlanSaving, plan_row_count> rows_{};
+};
 
 }  // namespace scanshade

@@ -26,7 +26,7 @@ struct FrameStats {
     std::vector<StageStats> stages;  // in the order in which they run
     EventCounts events;              // of this frame
     std::uint64_t covered_samples = 0;
-    PlanSavings saved{};  // what each row of the plan did without
+    PlanSavings saved;  // what each row of the plan did without
 };
 
 /// Draws one scene with one set of settings any number of times. Holds copies of what it needs;
