@@ -62,6 +62,22 @@ $(BUILD)/gen/brdf_models.inc: $(wildcard src/brdf/*.cpp)
 	@mkdir -p $(@D)
 	@sed -n 's/^#define SCANSHADE_MODEL \(.*\)/MODEL(\1)/p' $(MODEL_FILES) > $@
 
+# What reports say about this build. Looked at by every make, written only where it is another, and
+# read by one file: a commit does not rebuild the rest.
+FACTS := $(BUILD)/gen/build_facts.inc
+$(BUILD)/obj/src/report/provenance.o: $(FACTS)
+$(FACTS): export BUILD_FLAGS = $(filter-out -I% -M% -W%,$(ALL_CXXFLAGS))
+$(FACTS): FORCE
+	@mkdir -p $(@D)
+	@commit=unknown; \
+	if [ "$$(git rev-parse --show-cdup 2>/dev/null || echo none)" = "" ]; then \
+	    commit=$$(git describe --always --dirty --abbrev=12 2>/dev/null || echo unknown); fi; \
+	{ printf '#define BUILD_COMMIT "%s"\n' "$$commit"; \
+	  printf '#define BUILD_FLAGS "%s"\n' "$$(printf %s "$$BUILD_FLAGS" | sed 's/[\\"]/\\&/g')"; } > $@.new
+	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+.PHONY: FORCE
+FORCE:
+
 $(LIB): $(call object,$(LIB_SOURCES))
 	@rm -f $@ && ar rcs $@ $^
 $(CLI): $(call object,$(CLI_SOURCES)) $(LIB)
@@ -89,14 +105,17 @@ DEMO_NEEDS := g++:c++ libglm-dev:glm/vec3.hpp libtinyobjloader-dev:tiny_obj_load
 TEST_NEEDS := $(DEMO_NEEDS) catch2:catch2/catch.hpp,catch2/catch_all.hpp libsdl2-dev:SDL2/SDL.h \
               pkg-config:pkg-config python3:python3 clang-format:clang-format xvfb:Xvfb \
               xdotool:xdotool x11-apps:xwd imagemagick:convert \
-              assimp-testmodels:/usr/share/assimp/models
+              assimp-testmodels:/usr/share/assimp/models gnuplot-nox:gnuplot
+REPORT_NEEDS := $(DEMO_NEEDS) gnuplot-nox:gnuplot
 
-.PHONY: deps deps-demo deps-test
-deps: deps-test  ## install the Debian packages that are missing, for all targets
+.PHONY: deps deps-demo deps-test deps-report
+deps: deps-test deps-report  ## install the Debian packages that are missing, for all targets
 deps-demo:
 	@CXX='$(CXX)' bash .ci/deps $(DEMO_NEEDS)
 deps-test:
 	@CXX='$(CXX)' bash .ci/deps $(TEST_NEEDS)
+deps-report:
+	@CXX='$(CXX)' bash .ci/deps $(REPORT_NEEDS)
 
 # Programs are built by a second make, so that packages are there first and all cores are used.
 SUBMAKE = $(MAKE) $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(JOBS))
@@ -119,6 +138,12 @@ demo: deps-demo  ## draw the teapot into build/demo.png
 test: deps-test  ## build and run all tests; TAGS=[brdf] runs those of one tag
 	@$(SUBMAKE) all tests
 	@$(TESTS) $(if $(TAGS),'$(TAGS)')
+
+.PHONY: report
+report: deps-report  ## what the plan saves and what a frame costs, into build/report/; takes minutes
+	@$(SUBMAKE) $(CLI)
+	@$(CLI) report plan -o build/report/plan
+	@$(CLI) report speed -o build/report/speed
 
 CHECKS := check-selftest check-layers check-equations check-format check-headers
 HEADERS := $(shell find include -name '*.hpp' 2>/dev/null | sort)
@@ -179,7 +204,7 @@ lint:  ## clang-tidy, cppcheck and a build with clang, as far as they are instal
 	    $(SUBMAKE) CXX=clang++ BUILD=build/clang CXXFLAGS=-Werror all tests; \
 	else echo "skipped: clang++ is not installed"; fi
 .PHONY: $(TIDIED:%=tidy/%)
-$(TIDIED:%=tidy/%): tidy/%: $(BUILD)/gen/brdf_models.inc
+$(TIDIED:%=tidy/%): tidy/%: $(BUILD)/gen/brdf_models.inc $(FACTS)
 	@echo "  TIDY $*"
 	@clang-tidy --quiet $* -- $(filter-out -M% -Wno-psabi,$(CXXFLAGS_COMMON)) $(SDL_CFLAGS) \
 	    2>/dev/null
