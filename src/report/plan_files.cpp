@@ -235,8 +235,9 @@ std::string page_text(const PlanReport& report, const std::vector<Plot>& drawn) 
     page.figures(figures);
     page.paragraph(
         "Times are medians. The interval holds the true median of the differences with "
-        "95 % confidence; where it contains 0 the row may save nothing, and the number "
-        "is grey. Same picture: colour, depth and triangle of every pixel have the same "
+        "95 % confidence: one in twenty does not. Where it contains 0 the row may save "
+        "nothing, and the number is grey. Same picture: colour, depth and triangle of every pixel "
+        "have the same "
         "bits with the row and without. Counts are those of all samples of a frame.");
     for (const PlanSceneResult& scene : report.scenes) add_scene(scene, page);
     add_meanings(page);

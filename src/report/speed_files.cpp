@@ -21,6 +21,8 @@ Estimate in_ns(const Estimate& ms) {
 
 // ---- for programs
 
+std::uint64_t count(double amount) { return static_cast<std::uint64_t>(amount); }
+
 Json point_json(const SpeedSceneResult& scene, const SpeedAxis& axis, const SpeedPoint& point) {
     const SpeedAmounts& a = point.amounts;
     Json stages = Json::object();
@@ -29,12 +31,12 @@ Json point_json(const SpeedSceneResult& scene, const SpeedAxis& axis, const Spee
     return {{"axis", axis.name},
             {"method", scene.renderer},
             {"parameters",
-             {{"pixels", a.pixels},
-              {"triangles", a.triangles},
-              {"lights", a.lights},
-              {"samples", a.samples},
-              {"threads", a.threads},
-              {"covered_samples", a.covered}}},
+             {{"pixels", count(a.pixels)},
+              {"triangles", count(a.triangles)},
+              {"lights", count(a.lights)},
+              {"samples", count(a.samples)},
+              {"threads", count(a.threads)},
+              {"covered_samples", count(a.covered)}}},
             {"time_ms", to_json(point.stages.front().times)},
             {"stages_ms", stages}};
 }
