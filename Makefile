@@ -77,9 +77,25 @@ $(BUILD)/gen/brdf_models.inc: $(wildcard src/brdf/*.cpp)
 # and quarters unless it is told otherwise, and reading what was just written so waits.
 WIDE_MOVES := $(shell echo 'int x;' | $(CXX) -mmove-max=512 -mstore-max=512 -x c++ -c -o /dev/null - \
                 2>/dev/null && echo -mmove-max=512 -mstore-max=512)
-ifeq ($(config),release)
-$(call object,$(MODEL_FILES) $(filter-out %/isa.cpp,$(wildcard src/kernels/*.cpp))): ALL_CXXFLAGS += -O3 $(WIDE_MOVES)
-endif
+LOOP_FLAGS_release := -O3 $(WIDE_MOVES)
+$(call object,$(MODEL_FILES) $(filter-out %/isa.cpp,$(wildcard src/kernels/*.cpp))): \
+    ALL_CXXFLAGS += $(LOOP_FLAGS_$(config))
+
+# What reports say about this build. Looked at by every make, written only where it is another, and
+# read by one file: a commit does not rebuild the rest.
+FACTS := $(BUILD)/gen/build_facts.inc
+$(BUILD)/obj/src/report/provenance.o: $(FACTS)
+$(FACTS): export BUILD_FLAGS = $(filter-out -I% -M% -W%,$(ALL_CXXFLAGS))$(if $(LOOP_FLAGS_$(config)),; loops $(LOOP_FLAGS_$(config)))
+$(FACTS): FORCE
+	@mkdir -p $(@D)
+	@commit=unknown; \
+	if [ "$$(git rev-parse --show-cdup 2>/dev/null || echo none)" = "" ]; then \
+	    commit=$$(git describe --always --dirty --abbrev=12 2>/dev/null || echo unknown); fi; \
+	{ printf '#define BUILD_COMMIT "%s"\n' "$$commit"; \
+	  printf '#define BUILD_FLAGS "%s"\n' "$$(printf %s "$$BUILD_FLAGS" | sed 's/[\\"]/\\&/g')"; } > $@.new
+	@cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+.PHONY: FORCE
+FORCE:
 
 $(LIB): $(call object,$(LIB_SOURCES))
 	@rm -f $@ && ar rcs $@ $^
@@ -113,17 +129,20 @@ DEMO_NEEDS := g++:c++ libglm-dev:glm/vec3.hpp libtinyobjloader-dev:tiny_obj_load
 TEST_NEEDS := $(DEMO_NEEDS) catch2:catch2/catch.hpp,catch2/catch_all.hpp libsdl2-dev:SDL2/SDL.h \
               pkg-config:pkg-config python3:python3 clang-format:clang-format xvfb:Xvfb \
               xdotool:xdotool x11-apps:xwd imagemagick:convert \
-              assimp-testmodels:/usr/share/assimp/models
+              assimp-testmodels:/usr/share/assimp/models gnuplot-nox:gnuplot
 BENCH_NEEDS := $(DEMO_NEEDS) libosmesa6-dev:GL/osmesa.h libembree-dev:embree3/rtcore.h
+REPORT_NEEDS := $(DEMO_NEEDS) gnuplot-nox:gnuplot
 
-.PHONY: deps deps-demo deps-test deps-bench
-deps: deps-test deps-bench  ## install the Debian packages that are missing, for all targets
+.PHONY: deps deps-demo deps-test deps-bench deps-report
+deps: deps-test deps-bench deps-report  ## install the Debian packages that are missing, for all targets
 deps-demo:
 	@CXX='$(CXX)' bash .ci/deps $(DEMO_NEEDS)
 deps-test:
 	@CXX='$(CXX)' bash .ci/deps $(TEST_NEEDS)
 deps-bench:
 	@CXX='$(CXX)' bash .ci/deps $(BENCH_NEEDS)
+deps-report:
+	@CXX='$(CXX)' bash .ci/deps $(REPORT_NEEDS)
 
 # Programs are built by a second make, so that packages are there first and all cores are used.
 SUBMAKE = $(MAKE) $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(JOBS))
@@ -159,6 +178,12 @@ bench: deps-bench  ## times beside llvmpipe and Embree, in build/bench/; CELLS=q
 soak: deps-test  ## N=20000 random scenes from seed FIRST=1 on, on every instruction set; an hour
 	@$(SUBMAKE) all tests
 	@SCANSHADE_SOAK=$(or $(N),20000) SCANSHADE_SOAK_FIRST=$(or $(FIRST),1) $(TESTS) '[.soak]'
+
+.PHONY: report
+report: deps-report  ## what the plan saves and what a frame costs, into build/report/; takes minutes
+	@$(SUBMAKE) $(CLI)
+	@$(CLI) report plan -o build/report/plan
+	@$(CLI) report speed -o build/report/speed
 
 CHECKS := check-selftest check-layers check-equations check-format check-headers
 HEADERS := $(shell find include -name '*.hpp' 2>/dev/null | sort)
@@ -219,7 +244,7 @@ lint:  ## clang-tidy, cppcheck and a build with clang, as far as they are instal
 	    $(SUBMAKE) CXX=clang++ BUILD=build/clang CXXFLAGS=-Werror all tests; \
 	else echo "skipped: clang++ is not installed"; fi
 .PHONY: $(TIDIED:%=tidy/%)
-$(TIDIED:%=tidy/%): tidy/%: $(BUILD)/gen/brdf_models.inc
+$(TIDIED:%=tidy/%): tidy/%: $(BUILD)/gen/brdf_models.inc $(FACTS)
 	@echo "  TIDY $*"
 	@clang-tidy --quiet $* -- $(filter-out -M% -Wno-psabi,$(CXXFLAGS_COMMON)) $(SDL_CFLAGS) \
 	    2>/dev/null

@@ -12,6 +12,7 @@
 #include "scanshade/base/timer.hpp"
 #include "scanshade/image/png.hpp"
 #include "scanshade/render/renderer.hpp"
+#include "scanshade/report/timing.hpp"
 
 namespace scanshade {
 namespace {
@@ -62,11 +63,11 @@ void note_verbose(const Run& run) {
 }
 
 std::string summary(const RenderArgs& args, const Run& run) {
-    const FrameTimes times = frame_times(run.frames);
+    const double ms = median(frame_ms(run.frames));
     const std::string frames =
         run.frames.size() == 1
-            ? fmt::format("{:.1f} ms", times.median_ms)
-            : fmt::format("{:.1f} ms a frame (median of {})", times.median_ms, run.frames.size());
+            ? fmt::format("{:.1f} ms", ms)
+            : fmt::format("{:.1f} ms a frame (median of {})", ms, run.frames.size());
     return fmt::format("wrote {}, {} × {}, {} triangles, {}",
                        args.output == "-" ? "standard output" : args.output, run.plan.width,
                        run.plan.height, run.plan.triangles, frames);

@@ -23,5 +23,6 @@ int run_compare(OptionParser& options, char** args);
 int run_sheet(OptionParser& options, char** args);
 int run_brdf(OptionParser& options, char** args);
 int run_info(OptionParser& options, char** args);
+int run_report(OptionParser& options, char** args);
 
 }  // namespace scanshade

@@ -9,11 +9,11 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <new>
 #include <stdexcept>
 
 #include "scanshade/base/error.hpp"
+#include "scanshade/base/files.hpp"
 
 namespace scanshade {
 namespace fs = std::filesystem;
@@ -104,17 +104,7 @@ std::string table(const std::vector<std::vector<std::string>>& rows) {
 
 void write_text(std::string_view text, const std::string& path) {
     if (path == "-") return print(text);
-    // A device is written to; a file appears under its name only when it is whole.
-    const bool device = fs::exists(path) && !fs::is_regular_file(path);
-    const std::string name = device ? path : fmt::format("{}.{}.part", path, ::getpid());
-    errno = 0;
-    std::ofstream file(name, std::ios::binary);
-    file.write(text.data(), std::streamsize(text.size()));
-    file.close();
-    if (file && (device || std::rename(name.c_str(), path.c_str()) == 0)) return;
-    const int reason = errno ? errno : EIO;
-    if (!device) std::remove(name.c_str());
-    throw cannot_write(path, reason);
+    write_file(text, path);
 }
 
 void check_output(const std::string& path, const std::string& input) {

@@ -22,6 +22,8 @@ constexpr Command commands[] = {
     {"explain", "INPUT [options]", "every stage of drawing, run or left out, and why", run_explain},
     {"sheet", "INPUT -o OUT.png [options]", "one picture of every shading with every brdf",
      run_sheet},
+    {"report", "plan|speed [INPUT...] -o DIR [options]",
+     "measure what the plan saves, or what a frame costs", run_report},
     {"compare", "A.png B.png [options]", "how much two pictures differ", run_compare},
     {"brdf", "list | show NAME [-o DIR] [--set NAME=V]",
      "the reflection models: equation, parameters, promises, values, a page of plots", run_brdf},
@@ -38,11 +40,12 @@ std::string help() {
            "options.\n\n"
            "Exit status:\n"
            "  0  done\n"
-           "  1  pictures differ by more than allowed\n"
+           "  1  pictures differ by more than allowed, or a check failed\n"
            "  2  usage: an unknown command or option, a value out of range\n"
            "  3  file: cannot be read or written\n"
            "  4  format: the content of a file is damaged or not supported\n"
-           "  5  scene: it cannot be drawn as described, or memory does not suffice\n";
+           "  5  scene: it cannot be drawn as described, or memory does not suffice\n"
+           "  130  interrupted; a report holds what was measured so far\n";
 }
 
 int unknown(std::string_view word) {

@@ -164,6 +164,13 @@ void OptionParser::optional_positional(std::string_view name, std::string& value
     state_->add_text(name, "", value, meaning);
 }
 
+void OptionParser::optional_positionals(std::string_view name, std::vector<std::string>& values,
+                                        std::string_view meaning) {
+    state_->add(name, "", meaning, [&values](const CLI::results_t& given) { values = given; })
+        ->expected(0, CLI::detail::expected_max_vector_size)
+        ->allow_extra_args();
+}
+
 void OptionParser::text(std::string_view names, std::string_view form, std::string& value,
                         std::string_view meaning) {
     state_->add_text(names, form, value, meaning);

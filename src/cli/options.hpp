@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "scanshade/scene/settings.hpp"
 
@@ -24,6 +25,8 @@ public:
 
     /// An argument without a dash, in the order of declaration.
     void positional(std::string_view name, std::string& value, std::string_view meaning);
+    void optional_positionals(std::string_view name, std::vector<std::string>& values,
+                              std::string_view meaning);
     void optional_positional(std::string_view name, std::string& value, std::string_view meaning);
 
     /// `names` is "--diff" or "-o,--output"; `form` shows what a value looks like.

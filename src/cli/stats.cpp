@@ -2,34 +2,20 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "cli/console.hpp"
+#include "scanshade/report/timing.hpp"
 
 namespace scanshade {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// One number of each frame.
-template <class Number>
-std::vector<double> of_frames(const std::vector<FrameStats>& frames, Number number) {
-    std::vector<double> values(frames.size());
-    std::transform(frames.begin(), frames.end(), values.begin(), number);
-    return values;
-}
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const std::size_t middle = values.size() / 2;
-    return values.size() % 2 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
-
 Json frame_json(const std::vector<FrameStats>& frames) {
-    const FrameTimes times = frame_times(frames);
-    return {{"median", times.median_ms}, {"min", times.min_ms}};
+    const Times times = times_of(frame_ms(frames));
+    return {{"median", times.median}, {"min", times.min}};
 }
 
 /// Times are medians over the frames, stage by stage; counts are those of the last frame.
@@ -89,12 +75,6 @@ Run describe_run(std::string input, const Scene& scene, const Settings& settings
             event_rows(counts, totals),
             scene.objects.size(),
             scene.lights.size()};
-}
-
-FrameTimes frame_times(const std::vector<FrameStats>& frames) {
-    const std::vector<double> ms =
-        of_frames(frames, [](const FrameStats& frame) { return frame.frame_ms; });
-    return {median(ms), *std::min_element(ms.begin(), ms.end())};
 }
 
 std::string stats_json(const Run& run) {

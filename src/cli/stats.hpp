@@ -24,11 +24,6 @@ struct Run {
 Run describe_run(std::string input, const Scene& scene, const Settings& settings,
                  const RenderPlan& plan, double load_ms, std::vector<FrameStats> frames);
 
-struct FrameTimes {
-    double median_ms, min_ms;
-};
-FrameTimes frame_times(const std::vector<FrameStats>& frames);
-
 /// The JSON text. Its keys are stable, scripts read them:
 ///     program input width height samples renderer interpolation
 ///     load_ms            reading the input, building meshes, making the plan

@@ -12,6 +12,7 @@
 #include "report/svg_plot.hpp"
 #include "scanshade/image/png.hpp"
 #include "scanshade/render/renderer.hpp"
+#include "scanshade/report/page.hpp"
 #include "scanshade/scene/scene.hpp"
 #include "scanshade/scene/shapes.hpp"
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "scanshade/report/page.hpp"
+
 namespace scanshade {
 namespace {
 
@@ -74,23 +76,6 @@ private:
 };
 
 }  // namespace
-
-std::string escaped(std::string_view text) {
-    std::string out;
-    for (const char c : text) {
-        if (c == '<')
-            out += "&lt;";
-        else if (c == '>')
-            out += "&gt;";
-        else if (c == '&')
-            out += "&amp;";
-        else if (c == '"')
-            out += "&quot;";
-        else
-            out += c;
-    }
-    return out;
-}
 
 std::string line_plot(const Axes& axes, const std::vector<Curve>& curves) {
     const double y_step = round_step(largest(curves), 5);

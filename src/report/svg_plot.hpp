@@ -28,7 +28,4 @@ std::string line_plot(const Axes& axes, const std::vector<Curve>& curves);
 /// right, y ≥ 0 the distance from the centre. Rings are labelled with it.
 std::string polar_plot(const std::vector<Curve>& curves);
 
-/// Text with the characters that markup gives a meaning replaced.
-std::string escaped(std::string_view text);
-
 }  // namespace scanshade

@@ -38,7 +38,7 @@ TEST_CASE("every command prints its help to standard output", "[cli]") {
 }
 
 TEST_CASE("commands that draw list every shared option with its meaning", "[cli]") {
-    for (const char* command : {"render", "view", "info", "explain", "sheet"}) {
+    for (const char* command : {"render", "view", "info", "explain", "sheet", "report"}) {
         const std::string help = run_scanshade({command, "--help"}).out;
         CAPTURE(command, help);
         for (const OptionInfo& option : shared_options()) {

@@ -4,10 +4,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <thread>
 
 namespace scanshade {
 namespace {
@@ -85,6 +88,24 @@ Finished run_scanshade_unread(const std::vector<std::string>& args) {
     finished.status = wait_for(start(SCANSHADE_BINARY, args, ends[1], err));
     ::close(ends[1]);
     ::close(err);
+    finished.err = read_file(folder.path / "err");
+    return finished;
+}
+
+Finished run_scanshade_interrupted(const std::vector<std::string>& args, const std::string& file) {
+    const TempFolder folder;
+    const int out = open_for_child(folder.path / "out"), err = open_for_child(folder.path / "err");
+    const pid_t child = start(SCANSHADE_BINARY, args, out, err);
+    ::close(out);
+    ::close(err);
+    constexpr std::chrono::milliseconds step{10};
+    for (int i = 0; i < 3000 && !std::filesystem::exists(file); ++i)
+        std::this_thread::sleep_for(step);
+    std::this_thread::sleep_for(50 * step);
+    ::kill(child, SIGINT);
+    Finished finished;
+    finished.status = wait_for(child);
+    finished.out = read_file(folder.path / "out");
     finished.err = read_file(folder.path / "err");
     return finished;
 }

@@ -25,6 +25,9 @@ Finished run_scanshade_on_terminal(const std::vector<std::string>& args);
 /// The same with nobody left to read standard output; `out` is empty.
 Finished run_scanshade_unread(const std::vector<std::string>& args);
 
+/// The same, sent SIGINT half a second after `file` has appeared.
+Finished run_scanshade_interrupted(const std::vector<std::string>& args, const std::string& file);
+
 /// The whole file, as it is.
 std::string read_file(const std::string& path);
 

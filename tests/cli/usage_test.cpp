@@ -78,6 +78,10 @@ TEST_CASE("wrong usage is one sentence that says what would be right, and status
         {{"brdf", "list", "phong"}, 2, {"brdf show phong"}},
         {{"brdf", "show", "phong", "--set", "kk=1"}, 2, {"no parameter 'kk'"}},
         {{"brdf", "show", "phong", "-o", in + "/page"}, 3, {"folder cannot be made"}},
+        {{"report"}, 2, {"KIND", "missing"}},
+        {{"report", "plan"}, 2, {"-o,--output DIR", "missing"}},
+        {{"report", "pln", "-o", out}, 2, {"'report pln'", "did you mean 'plan'"}},
+        {{"report", "plan", in, "-o", out, "--runs", "0"}, 2, {"--runs", "1 to 10000"}},
         {{"view"}, 2, {"INPUT", "missing"}},
         {{"view", in, "--shading", "flt"}, 2, {"flt", "flat"}},
     };
@@ -100,6 +104,9 @@ TEST_CASE("files that cannot be read or written give status 3", "[cli]") {
         {{"info", folder.path / "no.obj"}, 3, {"no.obj"}},
         {{"explain", folder.path / "no.obj"}, 3, {"no.obj"}},
         {{"compare", folder.path / "no.png", in}, 3, {"no.png"}},
+        {{"report", "plan", in, "-o", in}, 3, {in, "folder"}},
+        {{"report", "speed", in, "-o", in + "/below"}, 3, {in, "folder"}},
+        {{"report", "plan", in, "-o", "/proc/nowhere"}, 3, {"/proc/nowhere", "folder"}},
     };
     for (const Case& row : cases) {
         check(row);

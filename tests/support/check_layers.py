@@ -38,7 +38,7 @@ LIBRARIES = [
 HIGHWAY_HEADERS = re.compile(r"include/scanshade/num/(lanes|target)\.hpp$|src/brdf/model_\w+\.hpp$")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
-GENERATED = {"brdf_models.inc"}
+GENERATED = {"brdf_models.inc", "build_facts.inc"}
 MACRO_CALLS = ("_end.hpp", "_rows.hpp")  # files whose text belongs to what includes them
 TOGGLES = "HWY_TARGET_TOGGLE"  # in the include guard of the headers compiled for each target
 

@@ -1,0 +1,50 @@
+// A report as people read it: one HTML file that opens from disk, on a phone and on paper.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scanshade/report/provenance.hpp"
+
+namespace scanshade {
+
+/// Text for elements and attributes: what HTML would take for more is escaped.
+std::string escaped(std::string_view text);
+
+/// A cell of a table.
+struct Cell {
+    std::string text;
+    std::string_view style = {};  // "good", "bad", "faint" or "whole" (no line breaks)
+};
+Cell number_cell(std::string text, std::string_view style = {});
+
+/// A picture and what it shows.
+struct Figure {
+    std::string file, caption;
+    bool wide = false;  // keeps its size on a phone, and is moved there instead of shrunk
+};
+
+class Page {
+public:
+    /// `lead` says in a sentence or two what the report is about.
+    Page(std::string_view title, std::string_view lead);
+
+    /// Stands out: something that a reader must know first.
+    void notice(std::string_view text);
+    void section(std::string_view title);
+    void paragraph(std::string_view text);
+    /// Pictures that lie beside the page, next to each other where there is room.
+    void figures(const std::vector<Figure>& figures);
+    void table(const std::vector<std::string>& head, const std::vector<std::vector<Cell>>& rows);
+    /// A list of files that lie beside the page, and where the numbers come from.
+    void sources(const Provenance& provenance, const std::vector<std::string>& files);
+
+    /// The whole page.
+    std::string text() const;
+
+private:
+    std::string title_, body_;
+};
+
+}  // namespace scanshade

@@ -1,0 +1,131 @@
+#include "scanshade/report/page.hpp"
+
+#include <fmt/format.h>
+
+#include "scanshade/report/document.hpp"
+
+namespace scanshade {
+namespace {
+
+constexpr std::string_view css = R"(
+:root { color-scheme: light; }
+body { font: 16px/1.5 system-ui, sans-serif; color: #22262c; background: #fff;
+       max-width: 68rem; margin: 0 auto; padding: 1rem; overflow-wrap: break-word; }
+h1 { font-size: 1.7rem; line-height: 1.2; margin: .5rem 0; }
+h2 { font-size: 1.25rem; margin: 2rem 0 .5rem; border-bottom: 1px solid #d5d8dc; }
+.lead { font-size: 1.1rem; color: #444a52; }
+.notice { border-left: 4px solid #b3541e; background: #fdf3ec; padding: .5rem 1rem; }
+.figures { display: flex; flex-wrap: wrap; gap: 1rem; margin: 1rem 0; }
+figure { margin: 0; max-width: 100%; overflow-x: auto; break-inside: avoid; }
+figure img { display: block; max-width: 100%; height: auto; }
+figcaption { font-size: .9rem; color: #555c66; }
+.scroll { overflow-x: auto; margin: 0 0 1rem; }
+table { border-collapse: collapse; font-size: .9rem; }
+th, td { text-align: left; padding: .2rem .6rem; border-bottom: 1px solid #e3e5e8;
+         vertical-align: top; }
+th { background: #f4f5f7; }
+tr { break-inside: avoid; }
+.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+.whole { white-space: nowrap; }
+.good { color: #0b6b3a; font-weight: 600; }
+.bad { color: #a32012; font-weight: 600; }
+.faint { color: #737a84; }
+@media (max-width: 40rem) { body { font-size: 15px; padding: .7rem; }
+                            .wide img { max-width: none; } }
+@media print { body { max-width: none; font-size: 10pt; } .scroll, figure { overflow: visible; }
+               table { font-size: 8pt; } th, td { padding: .1rem .3rem; } }
+)";
+
+std::string element(std::string_view name, std::string_view style, std::string_view text) {
+    const std::string attribute = style.empty() ? "" : fmt::format(" class=\"{}\"", style);
+    return fmt::format("<{}{}>{}</{}>", name, attribute, escaped(text), name);
+}
+
+}  // namespace
+
+std::string escaped(std::string_view text) {
+    std::string out;
+    for (const char c : clean_text(text)) switch (c) {
+            case '&':
+                out += "&amp;";
+                break;
+            case '<':
+                out += "&lt;";
+                break;
+            case '>':
+                out += "&gt;";
+                break;
+            case '"':
+                out += "&quot;";
+                break;
+            case '\'':
+                out += "&#39;";
+                break;
+            default:
+                out += c;
+        }
+    return out;
+}
+
+Cell number_cell(std::string text, std::string_view style) {
+    constexpr std::pair<std::string_view, std::string_view> styles[] = {
+        {"good", "good number"}, {"bad", "bad number"}, {"faint", "faint number"}};
+    for (const auto& [name, with_number] : styles)
+        if (name == style) return {std::move(text), with_number};
+    return {std::move(text), "number"};
+}
+
+Page::Page(std::string_view title, std::string_view lead) : title_(title) {
+    body_ = element("h1", "", title) + "\n" + element("p", "lead", lead) + "\n";
+}
+
+void Page::notice(std::string_view text) { body_ += element("p", "notice", text) + "\n"; }
+void Page::section(std::string_view title) { body_ += element("h2", "", title) + "\n"; }
+void Page::paragraph(std::string_view text) { body_ += element("p", "", text) + "\n"; }
+
+void Page::figures(const std::vector<Figure>& figures) {
+    body_ += "<div class=\"figures\">\n";
+    for (const auto& [file, caption, wide] : figures)
+        body_ += fmt::format("<figure{}><img src=\"{}\" alt=\"{}\">{}</figure>\n",
+                             wide ? " class=\"wide\"" : "", escaped(file), escaped(caption),
+                             element("figcaption", "", caption));
+    body_ += "</div>\n";
+}
+
+void Page::table(const std::vector<std::string>& head, const std::vector<std::vector<Cell>>& rows) {
+    body_ += "<div class=\"scroll\"><table>\n<thead><tr>";
+    for (const std::string& name : head) body_ += element("th", "", name);
+    body_ += "</tr></thead>\n<tbody>\n";
+    for (const std::vector<Cell>& row : rows) {
+        body_ += "<tr>";
+        for (const Cell& cell : row) body_ += element("td", cell.style, cell.text);
+        body_ += "</tr>\n";
+    }
+    body_ += "</tbody></table></div>\n";
+}
+
+void Page::sources(const Provenance& p, const std::vector<std::string>& files) {
+    section("Where the numbers come from");
+    table({"what", ""}, {{{"commit"}, {p.commit}},
+                         {{"compiler"}, {p.compiler}},
+                         {{"flags"}, {p.flags}},
+                         {{"processor"}, {p.cpu}},
+                         {{"instruction set"}, {p.isa}},
+                         {{"threads"}, {fmt::format("{}", p.threads)}},
+                         {{"seed of the order of runs"}, {fmt::format("{}", p.seed)}},
+                         {{"date"}, {p.date}}});
+    body_ += "<p>The same numbers for programs:";
+    for (const std::string& file : files)
+        body_ += fmt::format(" <a href=\"{0}\">{0}</a>", escaped(file));
+    body_ += "</p>\n";
+}
+
+std::string Page::text() const {
+    return fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+        "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}</body>\n</html>\n",
+        escaped(title_), css, body_);
+}
+
+}  // namespace scanshade

@@ -1,0 +1,97 @@
+// What the command report leaves in its folder.
+#include <nlohmann/json.hpp>
+
+#include "cli/process.hpp"
+#include "scanshade/render/plan_rows.hpp"
+#include "support/catch.hpp"
+
+using namespace scanshade;
+
+namespace {
+
+nlohmann::json report_in(const std::filesystem::path& folder) {
+    return nlohmann::json::parse(read_file(folder / "report.json"));
+}
+
+}  // namespace
+
+TEST_CASE("report plan writes a page, plots, JSON and CSV of every row", "[cli][report]") {
+    const TempFolder folder;
+    const std::string in = write_triangle(folder), out = folder.path / "deep" / "report";
+    const Finished run =
+        run_scanshade({"report", "plan", in, "-o", out, "--resolution", "64,48", "--runs", "2"});
+    CAPTURE(run.err);
+    REQUIRE(run.status == 0);
+    CHECK(run.out.empty());
+    CHECK(run.err == "wrote " + out + "/index.html\n");
+    for (const char* file : {"index.html", "report.json", "plan.csv", "plan.svg", "frames.svg"}) {
+        CAPTURE(file);
+        CHECK(std::filesystem::file_size(std::filesystem::path(out) / file) > 500);
+    }
+    const nlohmann::json report = report_in(out);
+    CHECK(report["partial"] == false);
+    REQUIRE(report["scenes"].size() == 1);
+    CHECK(report["scenes"][0]["name"] == "triangle");
+    CHECK(report["scenes"][0]["rows"].size() == plan_row_count + 1);
+}
+
+TEST_CASE("report speed measures scenes and a sphere", "[cli][report]") {
+    const TempFolder folder;
+    const std::string in = write_triangle(folder), out = folder.path / "report";
+    const Finished run =
+        run_scanshade({"report", "speed", in, "-o", out, "--resolution", "64,48", "--runs", "1"});
+    CAPTURE(run.err);
+    REQUIRE(run.status == 0);
+    const nlohmann::json report = report_in(out);
+    REQUIRE(report["scenes"].size() == 2);
+    CHECK(report["scenes"][0]["name"] == "triangle");
+    CHECK(report["scenes"][1]["name"] == "sphere");
+    CHECK(std::filesystem::exists(std::filesystem::path(out) / "pixels-1.svg"));
+    CHECK(std::filesystem::exists(std::filesystem::path(out) / "triangles-2.svg"));
+}
+
+TEST_CASE("without an input the shipped scenes are found from any folder", "[cli][report]") {
+    // Only found, not measured: the settings of no plan are refused after loading.
+    const TempFolder folder;
+    const std::filesystem::path here = std::filesystem::current_path();
+    std::filesystem::current_path(folder.path);
+    const Finished run = run_scanshade({"report", "plan", "-o", "report", "--no-plan"});
+    const std::string copy = folder.path / "scanshade";
+    std::filesystem::copy_file(SCANSHADE_BINARY, copy);
+    const Finished lost = run_scanshade({"report", "plan", "-o", "report"}, {}, copy);
+    std::filesystem::current_path(here);
+    CHECK(run.status == 2);
+    CHECK(run.err.find("'cornell-box'") != std::string::npos);
+    CHECK(lost.status == 3);
+    CHECK(lost.err.find("models/scenes") != std::string::npos);
+    CHECK(lost.err.find("name an INPUT") != std::string::npos);
+}
+
+TEST_CASE("an interrupted report is whole in itself, and says that it is partial",
+          "[cli][report]") {
+    const TempFolder folder;
+    const std::string in = write_triangle(folder), out = folder.path / "report";
+    for (const std::string kind : {"plan", "speed"}) {
+        const Finished run = run_scanshade_interrupted(
+            {"report", kind, in, "-o", out + kind, "--runs", "10000"}, out + kind);
+        CAPTURE(kind, run.err);
+        CHECK(run.status == 130);
+        CHECK(run.err.find("partial") != std::string::npos);
+        const nlohmann::json report = report_in(out + kind);
+        CHECK(report["partial"] == true);
+        CHECK(report["scenes"].is_array());
+        CHECK(read_file(out + kind + "/index.html").find("is partial") != std::string::npos);
+    }
+}
+
+TEST_CASE("a report says on a terminal what is measured and how long it will take",
+          "[cli][report]") {
+    const TempFolder folder;
+    const std::string in = write_triangle(folder), out = folder.path / "report";
+    const Finished run =
+        run_scanshade_on_terminal({"report", "plan", in, "-o", out, "--runs", "150"});
+    CAPTURE(run.err);
+    CHECK(run.status == 0);
+    CHECK(run.err.find("measuring triangle: ") != std::string::npos);
+    CHECK(run.err.find(" left (") != std::string::npos);
+}
