@@ -6,6 +6,7 @@
 #include "report/brdf_values.hpp"
 #include "report/svg_plot.hpp"
 #include "scanshade/base/error.hpp"
+#include "scanshade/report/page.hpp"
 #include "support/catch.hpp"
 
 using namespace scanshade;
