@@ -284,7 +284,9 @@ private:
 
     void set_up(std::uint32_t first) {
         const std::uint32_t count = std::min(queued_ - first, std::uint32_t(N));
-        const Corners c = fetch(hn::LoadU(tag_i, queue_ + first));
+        // Lanes without a triangle read the cluster's first vertex, not what is beyond its last.
+        const MaskI used = hn::FirstN(tag_i, count);
+        const Corners c = fetch(hn::IfThenElseZero(used, hn::LoadU(tag_i, queue_ + first)));
         const Boxes box = boxes_of(c, view_);
         const Edges e = edges_of(c, box);
         const VecI ox = hn::And(box.x0, hn::Set(tag_i, ~3)),
@@ -300,7 +302,6 @@ private:
                                                Lanes(to_float(hn::Sub(box.x1, ox))),
                                                Lanes(to_float(hn::Sub(box.y1, oy))))
                                       .m);
-        const MaskI used = hn::FirstN(tag_i, count);
         const MaskI kept = hn::And(serve, used);
         const MaskI needles = hn::AndNot(serve, used);
         if (!hn::AllFalse(tag_i, needles))
