@@ -285,7 +285,9 @@ private:
 
     void set_up(std::uint32_t first) {
         const std::uint32_t count = std::min(queued_ - first, std::uint32_t(N));
-        const Corners c = fetch(hn::LoadU(tag_i, queue_ + first));
+        // Lanes without a triangle read the cluster's first vertex, not what is beyond its last.
+        const MaskI used = hn::FirstN(tag_i, count);
+        const Corners c = fetch(hn::IfThenElseZero(used, hn::LoadU(tag_i, queue_ + first)));
         const Boxes box = boxes_of(c, view_);
         const Edges e = edges_of(c, box);
         const VecI ox = hn::And(box.x0, hn::Set(tag_i, ~3)),
@@ -302,7 +304,6 @@ private:
                                 Lanes(to_float(hn::Sub(box.y1, oy))), Lanes(to_float(box.side_x)),
                                 Lanes(to_float(box.side_y)), Lanes(view_.steepest))
                        .m);
-        const MaskI used = hn::FirstN(tag_i, count);
         const MaskI kept = hn::And(serve, used);
         const MaskI needles = hn::AndNot(serve, used);
         if (!hn::AllFalse(tag_i, needles))

