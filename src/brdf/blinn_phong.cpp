@@ -22,6 +22,9 @@ struct blinn_phong {
     };
 
     static constexpr bool reads_matt = true;
+    static double most(const MaterialParams<double>& p, int c) {
+        return (p.value[kd][c] + p.value[ks][c]) * inv_pi;
+    }
 
     static double error_u(const MaterialParams<double>& p) {
         return 7 + power_error_u(p.exponent[shininess]);

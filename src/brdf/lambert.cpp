@@ -18,6 +18,7 @@ struct lambert {
     };
 
     static constexpr bool ignores_view = true;
+    static double most(const MaterialParams<double>& p, int c) { return p.value[kd][c] * inv_pi; }
 
     static double error_u(const MaterialParams<double>&) { return 4; }
     static constexpr Promises promises{

@@ -47,6 +47,13 @@ constexpr bool ignores_view() {
     return requires { Model::ignores_view; };
 }
 template <class Model>
+constexpr auto most_of() -> double (*)(const MaterialParams<double>&, int) {
+    if constexpr (requires { Model::most; })
+        return Model::most;
+    else
+        return nullptr;
+}
+template <class Model>
 constexpr bool reads_matt() {
     return requires { Model::reads_matt; };
 }
@@ -63,6 +70,7 @@ const BrdfInfo SCANSHADE_ROW(SCANSHADE_MODEL) = {
     .source = Model::source,
     .params = Model::params,
     .promises = Model::promises,
+    .most = most_of<Model>(),
     .reads_matt = reads_matt<HWY_NAMESPACE::SCANSHADE_MODEL>(),
     .ignores_view = ignores_view<Model>(),
     .derive = derive<Model>,

@@ -23,6 +23,9 @@ struct phong {
     };
 
     static constexpr bool reads_matt = true;
+    static double most(const MaterialParams<double>& p, int c) {
+        return (p.value[kd][c] + p.value[ks][c]) * inv_pi;
+    }
 
     static double error_u(const MaterialParams<double>& p) {
         return 7 + power_error_u(p.exponent[shininess]);

@@ -99,6 +99,7 @@ std::string stats_json(const Run& run) {
           {"lights", run.lights},
           {"covered_samples", run.totals.samples}}},
         {"left_out", left_out_json(run.plan, run.frames.back().saved)},
+        {"tolerated_lights_in_tiles", run.frames.back().tolerated_lights},
         {"events", events_json(run.events)},
         {"peak_memory_bytes", peak_memory_bytes()},
     };

@@ -33,6 +33,7 @@ Run describe_run(std::string input, const Scene& scene, const Settings& settings
 ///     counts             {objects, faces, triangles, vertices, materials, lights, covered_samples}
 ///     left_out           [{name, reason}] of stages, then [{name, reason, saved, of, unit}] of rows
 ///                        of the plan: what the last frame did without
+///     tolerated_lights_in_tiles   left out under --tolerance, summed over tiles
 ///     events             [{name, meaning, count, rate, allowed_rate, among}], those that happened
 ///     peak_memory_bytes
 std::string stats_json(const Run& run);

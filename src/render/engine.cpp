@@ -231,6 +231,7 @@ void Engine::Pass::shade() {
         frame_.events += worker.shader->events;
         frame_.saved += worker.saved;
         frame_.saved += worker.shader->saved;
+        frame_.tolerated_lights += worker.shader->tolerated_lights;
         count(frame_.saved, PlanRow::positions, {worker.covered, worker.covered});
     }
     const RenderPlan& plan = frame_.plan;

@@ -62,20 +62,22 @@ EngineObject make_object(const Object& object) {
 
 }  // namespace
 
-EngineScene::EngineScene(const Scene& scene) : light_distance(INFINITY) {
+EngineScene::EngineScene(const Scene& scene) : nearest_light(INFINITY) {
     for (const Object& object : scene.objects) {
         objects.push_back(make_object(object));
         clusters += objects.back().bounds.size();
     }
     for (const Light& light : scene.lights) {
-        if (light.kind == LightKind::directional) continue;
+        double distance = INFINITY;
         for (const EngineObject& object : objects)
             for (const ClusterBounds& b : object.bounds)
-                light_distance =
-                    std::min(light_distance, glm::distance(light.position, glm::dvec3(b.centre)) -
-                                                 double(b.radius));
+                if (light.kind != LightKind::directional)
+                    distance =
+                        std::min(distance, glm::distance(light.position, glm::dvec3(b.centre)) -
+                                               double(b.radius));
+        light_distance.push_back(std::max(distance, 0.0));
+        nearest_light = std::min(nearest_light, light_distance.back());
     }
-    light_distance = std::max(light_distance, 0.0);
 }
 
 }  // namespace scanshade

@@ -30,8 +30,9 @@ struct EngineScene {
 
     std::vector<EngineObject> objects;
     std::size_t clusters = 0;
-    /// Distance from the nearest light of a place to the clusters' spheres; infinite without one.
-    double light_distance;
+    /// Least distance of each light to the clusters' spheres, ≥ 0; infinite for directional ones.
+    std::vector<double> light_distance;
+    double nearest_light;  // the least of them
 };
 
 }  // namespace scanshade

@@ -24,6 +24,8 @@ TileShading::TileShading(const Frame& f)
         const bool patches = f.plan.interpolation == Interpolation::patch && mesh.has_quads;
         objects.push_back({f.plan.objects[i].shading, patches});
     }
+    tolerance = light_tolerance(f.plan);
+    aimed_lights = f.plan.narrow_lights > 0;
     resolve.objects = objects.data();
     resolve.materials = materials.data();
 }
@@ -172,16 +174,39 @@ void TileShader::look_up_textures(int x, int y, const TileBuffer& tile) {
 /// Spot and cosine lights that shine past everything in the tile add exactly 0 there.
 void TileShader::choose_lights(int x, int y, const TileBuffer& tile) {
     const RenderPlan& plan = shading_.frame.plan;
-    if (!plan.leaves_out(PlanRow::dark_lights)) return;
-    saved[PlanRow::dark_lights] += {plan.dark_lights, plan.light_count};
-    if (plan.narrow_lights == 0) return;
+    const bool dark = plan.leaves_out(PlanRow::dark_lights);
+    if (dark) saved[PlanRow::dark_lights] += {plan.dark_lights, plan.light_count};
+    const bool aimed = dark && shading_.aimed_lights;
+    if (!aimed && shading_.tolerance.radiance == 0) return;
     const TileSphere sphere = tile_sphere(shading_.resolve, x, y, tile);
     lit_.lights.clear();
     for (const LightTerm<float>& light : shading_.lighting.lit.lights)
-        if (light.touches || reaches(light, sphere))
+        if (!aimed || light.touches || reaches(light, sphere))
             lit_.lights.push_back(light);
         else
             ++saved[PlanRow::dark_lights].saved;
+    if (shading_.tolerance.radiance > 0) drop_tolerated(sphere);
+}
+
+/// The weakest lights of the tile, as long as they add no more than the tolerance together.
+void TileShader::drop_tolerated(const TileSphere& sphere) {
+    std::vector<LightTerm<float>>& lights = lit_.lights;
+    std::vector<std::pair<double, std::size_t>> most;  // bound, light
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        most.emplace_back(most_radiance(lights[i], sphere, shading_.tolerance), i);
+    std::sort(most.begin(), most.end());
+    double sum = 0;
+    std::vector<bool> dropped(lights.size());
+    for (const auto& [bound, i] : most) {
+        if (!((sum += bound) <= shading_.tolerance.radiance)) break;
+        dropped[i] = true;
+        ++tolerated_lights;
+    }
+    // In their order: sums keep theirs.
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        if (!dropped[i]) lights[kept++] = lights[i];
+    lights.resize(kept);
 }
 
 const Lighting<float>& TileShader::lighting_for(const ResolvedMaterial& material) const {

@@ -6,6 +6,7 @@
 #include "kernels/engine_data.hpp"
 #include "render/face_values.hpp"
 #include "render/frame.hpp"
+#include "render/light_reach.hpp"
 #include "render/lighting.hpp"
 
 namespace scanshade {
@@ -20,6 +21,8 @@ struct TileShading {
     std::vector<ResolveMaterial> materials;     // [material]
     std::vector<MaterialParams<float>> params;  // [material]
     LightingPair<float> lighting;
+    bool aimed_lights;  // some light may miss a tile
+    LightTolerance tolerance;
     std::vector<ObjectSurface> surfaces;  // [object]
 };
 
@@ -33,9 +36,11 @@ public:
 
     EventCounts events;
     PlanSavings saved;
+    std::uint64_t tolerated_lights = 0;
 
 private:
     void choose_lights(int x, int y, const TileBuffer& tile);
+    void drop_tolerated(const TileSphere& sphere);
     const Lighting<float>& lighting_for(const ResolvedMaterial& material) const;
     void shade_subtile(int x, int y, int subtile, const TileBuffer& tile);
     void fill_open(int x, int y, const TileBuffer& tile);

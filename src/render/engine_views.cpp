@@ -15,7 +15,7 @@ bool Engine::Pass::position_from_depth() const {
     if (frame_.plan.interpolation == Interpolation::edges && !view.orthographic) return false;
     const double reach =
         view.orthographic ? 4 * (double(view.far) - double(view.near)) : glm::length(view.eye) + 2;
-    return state_.scene.light_distance * 128 >= reach;
+    return state_.scene.nearest_light * 128 >= reach;
 }
 
 void Engine::Pass::make_setup_view() {
@@ -105,19 +105,22 @@ void Engine::Pass::make_resolve_view() {
 
 void Engine::Pass::make_lights() {
     std::vector<LightTerm<float>>& lights = shading_.lighting.lit.lights;
-    if (leaves_out(PlanRow::dark_lights)) {
-        const auto black = [](const LightTerm<float>& light) {
-            return light.irradiance[0] == 0 && light.irradiance[1] == 0 && light.irradiance[2] == 0;
-        };
-        std::erase_if(lights, black);
-    }
-    const double nearest = state_.scene.light_distance;
-    for (LightTerm<float>& light : lights) {
-        light.touches = double(light.point_scale) * nearest <= double(light.radius) * 1.01;
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        LightTerm<float>& light = lights[i];
+        light.touches = double(light.point_scale) * state_.scene.light_distance[i] <=
+                        double(light.radius) * 1.01;
         light.constant = leaves_out(PlanRow::attenuation) && light.attenuation[1] == 0 &&
                          light.attenuation[2] == 0;
         if (frame_.first_sample) count(frame_.saved, PlanRow::attenuation, {light.constant, 1});
     }
+    shading_.aimed_lights =
+        std::any_of(lights.begin(), lights.end(), [](const LightTerm<float>& light) {
+            return !light.touches && light.emission != LightEmission::uniform;
+        });
+    if (!leaves_out(PlanRow::dark_lights)) return;
+    std::erase_if(lights, [](const LightTerm<float>& light) {
+        return light.irradiance[0] == 0 && light.irradiance[1] == 0 && light.irradiance[2] == 0;
+    });
 }
 
 }  // namespace scanshade

@@ -54,6 +54,7 @@ struct Frame {
     Engine* engine = nullptr;
     PictureView picture{};
     PlanSavings saved;
+    std::uint64_t tolerated_lights = 0;
 
     Framebuffer& target;
     EventCounts events;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace scanshade {
 namespace {
@@ -76,6 +77,40 @@ bool reaches(const LightTerm<float>& light, const TileSphere& sphere) {
     const double angle = std::acos(std::clamp(along / distance, -1.0, 1.0));
     const double rim = std::acos(std::clamp(double(light.cos_cutoff), -1.0, 1.0));
     return angle - std::asin(radius / distance) <= rim + 1e-3;
+}
+
+LightTolerance light_tolerance(const RenderPlan& plan) {
+    LightTolerance tolerance;
+    // The sRGB curve is steepest in the dark.
+    const double steepest = plan.transfer == Transfer::srgb ? 12.92 : 1;
+    tolerance.radiance = plan.tolerance / 255 / steepest / std::exp2(plan.exposure_ev);
+    for (const ResolvedMaterial& material : plan.materials)
+        for (int c = 0; c < 3 && !material.unlit; ++c)
+            tolerance.most[c] =
+                std::max(tolerance.most[c], material.brdf->most == nullptr
+                                                ? std::numeric_limits<double>::infinity()
+                                                : material.brdf->most(material.params, c));
+    return tolerance;
+}
+
+double most_radiance(const LightTerm<float>& light, const TileSphere& sphere,
+                     const LightTolerance& tolerance) {
+    const double s = double(light.point_scale);
+    double distance2 = 0;
+    for (int c = 0; c < 3; ++c) {
+        const double v = s * sphere.centre[c] - double(light.position[c]);
+        distance2 += v * v;
+    }
+    // Attenuation falls with the distance; a directional light has none, and s = 0.
+    const double d = std::max(std::sqrt(distance2) - s * sphere.radius, double(light.radius));
+    const auto& a = light.attenuation;
+    const double factor =
+        s == 0 ? 1 / double(a[0]) : 1 / (double(a[0]) + d * (double(a[1]) + double(a[2]) * d));
+    double most = 0;
+    for (int c = 0; c < 3; ++c)
+        most = std::max(most, double(light.irradiance[c]) * factor * tolerance.most[c]);
+    // What float makes of it is not more than this.
+    return most * (1 + 1e-4);
 }
 
 }  // namespace scanshade

@@ -97,6 +97,7 @@ RenderPlan make_plan(const Scene& scene, const Settings& settings) {
     plan.tile = settings.tile;
     plan.transfer = settings.transfer;
     plan.exposure_ev = settings.exposure_ev;
+    plan.tolerance = settings.tolerance;
     plan.cull = settings.cull;
     for (int c = 0; c < 3; ++c) plan.background[c] = static_cast<float>(settings.background[c]);
     const Bounds bounds = scene.bounds();

@@ -78,6 +78,7 @@ void run_stages(Frame& frame, FrameStats& stats) {
         if (row.name == "shade") stats.covered_samples = row.items;
     stats.events = frame.events;
     stats.saved = frame.saved;
+    stats.tolerated_lights = frame.tolerated_lights;
 }
 
 std::uint32_t background_bytes(const RenderPlan& plan) {

@@ -214,6 +214,12 @@ constexpr OptionInfo options[] = {
      }},
     {"cull", "none|back", "leave out faces seen from behind", false, false,
      [](Settings& s, std::string_view v) { s.cull = choice<Cull>("cull", culls, v); }},
+    {"tolerance", "LEVELS",
+     "leave out of a tile lights that add less than that many of 255 levels together, 0 to 255",
+     false, false,
+     [](Settings& s, std::string_view v) {
+         s.tolerance = real_between("tolerance", 0, 255, "a number of levels from 0 to 255", v);
+     }},
     {"no-plan", "", "leave nothing out that the picture does not need", false, true,
      [](Settings& s, std::string_view v) { s.no_plan = flag("no-plan", v); }},
     {"mtl-ambient", "", "take k_a from the MTL file instead of from Kd", false, true,

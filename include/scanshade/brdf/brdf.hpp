@@ -85,6 +85,8 @@ struct BrdfInfo {
     std::string_view source;    // author and year
     std::span<const ParamInfo> params;
     Promises promises;
+    /// Upper bound of f_cos in 1/sr for a channel, whatever the directions; null: none is known.
+    double (*most)(const MaterialParams<double>&, int channel);
     bool reads_matt;    // f_cos leaves its highlight out where MaterialParams::matt says so
     bool ignores_view;  // f_cos reads cosθ_i alone
 

@@ -34,6 +34,7 @@ struct RenderPlan {
     int tile;  // side of a tile in samples
     Transfer transfer;
     double exposure_ev;
+    double tolerance;  // levels of 255
     Cull cull;
     std::array<float, 3> background;
     Camera camera;  // in normalised space

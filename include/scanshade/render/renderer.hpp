@@ -26,7 +26,8 @@ struct FrameStats {
     std::vector<StageStats> stages;  // in the order in which they run
     EventCounts events;              // of this frame
     std::uint64_t covered_samples = 0;
-    PlanSavings saved;  // what each row of the plan did without
+    std::uint64_t tolerated_lights = 0;  // left out of tiles under --tolerance
+    PlanSavings saved;                   // what each row of the plan did without
 };
 
 /// Draws one scene with one set of settings any number of times. Holds copies of what it needs;

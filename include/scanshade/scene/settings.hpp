@@ -55,6 +55,7 @@ struct Settings {
     bool mtl_ambient = false;  // k_a from the MTL file instead of from Kd
     UpAxis up = UpAxis::y;     // of OBJ files
     Cull cull = Cull::none;
+    double tolerance = 0;  // levels of 255 that lights left out of a tile may add together
     bool no_plan = false;  // leave nothing out that the picture does not need
     std::set<std::string, std::less<>> kept_rows;  // rows of the plan that are not left out
 
