@@ -12,6 +12,7 @@
 #endif
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -64,11 +65,19 @@ void allow(int threads) {
                                                     std::size_t(most));
 }
 
+/// One for each number of threads, kept: oneTBB does not give back all that an arena has taken, and
+/// a loop gets slower with each arena that there was.
+tbb::task_arena& arena_of(int threads) {
+    static std::mutex mutex;
+    static std::map<int, tbb::task_arena> arenas;
+    const std::lock_guard lock(mutex);
+    return arenas.try_emplace(threads, threads).first->second;
+}
+
 template <class Run>
 void run_pieces(std::size_t pieces, int threads, const Run& run) {
     allow(threads);
-    tbb::task_arena arena(threads);
-    arena.execute([&] {
+    arena_of(threads).execute([&] {
         tbb::parallel_for(
             std::size_t{0}, pieces,
             [&](std::size_t piece) { run(piece, tbb::this_task_arena::current_thread_index()); },

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <fstream>
 #include <memory>
 #include <mutex>
 #include <stdexcept>
@@ -88,4 +89,39 @@ TEST_CASE("parallel_for throws what a body throws", "[threads]") {
         parallel_for(100, 1, threads, [&](std::size_t, std::size_t, int) { ++calls; });
         CHECK(calls == 100);
     }
+}
+
+TEST_CASE("callers on several threads do not share their workers' numbers", "[threads]") {
+    std::atomic<int> overlaps{0}, calls{0};
+    const auto call = [&] {
+        for (int k = 0; k < 50; ++k) {
+            std::vector<std::atomic<int>> inside(3);
+            parallel_for(40, 1, 3, [&](std::size_t, std::size_t, int worker) {
+                if (inside[std::size_t(worker)].fetch_add(1) != 0) ++overlaps;
+                std::this_thread::yield();
+                inside[std::size_t(worker)].fetch_sub(1);
+                ++calls;
+            });
+        }
+    };
+    std::vector<std::thread> callers;
+    for (int i = 0; i < 4; ++i) callers.emplace_back(call);
+    for (std::thread& caller : callers) caller.join();
+    CHECK(overlaps == 0);
+    CHECK(calls == 4 * 50 * 40);
+}
+
+TEST_CASE("thousands of loops take no more memory than a few", "[threads]") {
+    const auto resident_pages = [] {
+        long size = 0, resident = 0;
+        std::ifstream("/proc/self/statm") >> size >> resident;
+        return resident;
+    };
+    const auto loop = [](int times) {
+        for (int k = 0; k < times; ++k) parallel_for(8, 1, 3, [](std::size_t, std::size_t, int) {});
+    };
+    loop(100);
+    const long before = resident_pages();
+    loop(3000);
+    CHECK(resident_pages() - before < 1000);  // 4 MB
 }
