@@ -124,9 +124,10 @@ test: deps-test  ## build and run all tests; TAGS=[brdf] runs those of one tag
 	@$(TESTS) $(if $(TAGS),'$(TAGS)')
 
 .PHONY: soak
-soak: deps-test  ## N=20000 random scenes from seed FIRST=1 on, on every instruction set; an hour
+soak: deps-test  ## N=20000 random scenes from seed FIRST=1 on every instruction set, or on ISA=name
 	@$(SUBMAKE) all tests
-	@SCANSHADE_SOAK=$(or $(N),20000) SCANSHADE_SOAK_FIRST=$(or $(FIRST),1) $(TESTS) '[.soak]'
+	@SCANSHADE_SOAK=$(or $(N),20000) SCANSHADE_SOAK_FIRST=$(or $(FIRST),1) \
+	    SCANSHADE_SOAK_ISA=$(ISA) $(TESTS) '[.soak]'
 
 CHECKS := check-selftest check-layers check-equations check-format check-headers
 HEADERS := $(shell find include -name '*.hpp' 2>/dev/null | sort)
