@@ -58,7 +58,7 @@ std::string from_environment(const char* name, const char* otherwise) {
 TEST_CASE("random scenes: the plan changes no bit, and the scalar twin shows the same",
           "[engine][plan][random]") {
     const Totals totals = check_scenes(1, 1000, instruction_sets().front());
-    CAPTURE(totals.levels.pixels, totals.levels.exempt, totals.levels.uncertain);
+    CHECK(totals.levels.exempt <= totals.levels.pixels / 2000);
     for (const PlanRowInfo& info : all_plan_rows()) {
         CAPTURE(info.name);
         CHECK(totals.saved[std::size_t(info.row)] > 0);
@@ -73,7 +73,6 @@ TEST_CASE("random scenes without end", "[.soak]") {
         if (!only.empty() && isa != only) continue;
         const Totals totals = check_scenes(first, count, isa);
         WARN(isa << ": " << count << " scenes from seed " << first << ", " << totals.levels.pixels
-                 << " pixels, " << totals.levels.exempt << " at a threshold, "
-                 << totals.levels.uncertain << " of uncertain light");
+                 << " pixels, " << totals.levels.exempt << " at a threshold");
     }
 }
