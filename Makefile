@@ -175,9 +175,10 @@ bench: deps-bench  ## times beside llvmpipe and Embree, in build/bench/; CELLS=q
 	    --build='$(strip $(CXX) $(filter-out -W% -I% -M%,$(CXXFLAGS_COMMON) $(CXXFLAGS_$(config)) $(CXXFLAGS)))'
 
 .PHONY: soak
-soak: deps-test  ## N=20000 random scenes from seed FIRST=1 on, on every instruction set; an hour
+soak: deps-test  ## N=20000 random scenes from seed FIRST=1 on every instruction set, or on ISA=name
 	@$(SUBMAKE) all tests
-	@SCANSHADE_SOAK=$(or $(N),20000) SCANSHADE_SOAK_FIRST=$(or $(FIRST),1) $(TESTS) '[.soak]'
+	@SCANSHADE_SOAK=$(or $(N),20000) SCANSHADE_SOAK_FIRST=$(or $(FIRST),1) \
+	    SCANSHADE_SOAK_ISA=$(ISA) $(TESTS) '[.soak]'
 
 .PHONY: report
 report: deps-report  ## what the plan saves and what a frame costs, into build/report/; takes minutes

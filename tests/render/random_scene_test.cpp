@@ -1,6 +1,5 @@
 // The vector renderer on random scenes: what its plan leaves out changes no bit, and it shows what
-// its scalar twin shows. TAGS=[.soak] draws as many as the environment's SCANSHADE_SOAK says, on every
-// instruction set.
+// its scalar twin shows. `make soak` draws many more, on every instruction set.
 #include <cstdlib>
 
 #include "scanshade/kernels/isa.hpp"
@@ -49,12 +48,17 @@ Totals check_scenes(std::uint64_t first, std::uint64_t count, const std::string&
     return totals;
 }
 
+std::string from_environment(const char* name, const char* otherwise) {
+    const char* value = std::getenv(name);
+    return value != nullptr ? value : otherwise;
+}
+
 }  // namespace
 
 TEST_CASE("random scenes: the plan changes no bit, and the scalar twin shows the same",
           "[engine][plan][random]") {
     const Totals totals = check_scenes(1, 1000, instruction_sets().front());
-    CAPTURE(totals.levels.pixels, totals.levels.exempt, totals.levels.uncertain);
+    CHECK(totals.levels.exempt <= totals.levels.pixels / 2000);
     for (const PlanRowInfo& info : all_plan_rows()) {
         CAPTURE(info.name);
         CHECK(totals.saved[info.row].saved > 0);
@@ -62,14 +66,13 @@ TEST_CASE("random scenes: the plan changes no bit, and the scalar twin shows the
 }
 
 TEST_CASE("random scenes without end", "[.soak]") {
-    const char* number = std::getenv("SCANSHADE_SOAK");
-    const std::uint64_t count = number != nullptr ? std::strtoull(number, nullptr, 10) : 1000;
-    const char* start = std::getenv("SCANSHADE_SOAK_FIRST");
-    const std::uint64_t first = start != nullptr ? std::strtoull(start, nullptr, 10) : 1;
+    const std::string only = from_environment("SCANSHADE_SOAK_ISA", "");
+    const std::uint64_t count = std::stoull(from_environment("SCANSHADE_SOAK", "1000"));
+    const std::uint64_t first = std::stoull(from_environment("SCANSHADE_SOAK_FIRST", "1"));
     for (const std::string& isa : instruction_sets()) {
+        if (!only.empty() && isa != only) continue;
         const Totals totals = check_scenes(first, count, isa);
         WARN(isa << ": " << count << " scenes from seed " << first << ", " << totals.levels.pixels
-                 << " pixels, " << totals.levels.exempt << " at a threshold, "
-                 << totals.levels.uncertain << " of uncertain light");
+                 << " pixels, " << totals.levels.exempt << " at a threshold");
     }
 }

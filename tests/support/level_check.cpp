@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <memory>
 
 #include "support/lit_points.hpp"
@@ -11,73 +12,41 @@
 namespace scanshade {
 namespace {
 
-/// The bytes of one pixel after its radiance has changed by `change`.
-std::array<int, 3> bytes_at(const Framebuffer& frame, std::size_t i, const Settings& settings,
-                            double change) {
-    Framebuffer pixel(1, 1);
-    pixel.r[0] = float(double(frame.r[i]) + change);
-    pixel.g[0] = float(double(frame.g[i]) + change);
-    pixel.b[0] = float(double(frame.b[i]) + change);
-    const Image image = encode(pixel, settings.transfer, settings.exposure_ev);
-    return {image.rgb[0], image.rgb[1], image.rgb[2]};
+bool within_a_level(const Image& a, const Image& b, std::size_t pixel) {
+    for (std::size_t i = 3 * pixel; i < 3 * pixel + 3; ++i)
+        if (std::abs(a.rgb[i] - b.rgb[i]) > 1) return false;
+    return true;
 }
 
-class LevelCheck {
-public:
-    LevelCheck(const Scene& scene, const Settings& settings, const Framebuffer& drawn,
-               const Framebuffer& expected)
-        : scene_(scene), settings_(settings), drawn_(drawn), expected_(expected) {}
-
-    std::string run(LevelCounts& counts) {
-        counts.pixels += drawn_.id.size();
-        for (std::size_t i = 0; i < drawn_.id.size(); ++i) {
-            if (within(i, 0)) continue;
-            if (!points_) points_ = std::make_unique<LitPoints64>(scene_, settings_);
-            const int x = int(i) % drawn_.width, y = int(i) / drawn_.width;
-            const std::vector<LitPoint> points = points_->at(x, y);
-            if (std::any_of(points.begin(), points.end(),
-                            [&](const LitPoint& p) { return points_->near_threshold(p); })) {
-                ++counts.exempt;
-                continue;
-            }
-            double change = 0;
-            for (const LitPoint& p : points) change = std::max(change, points_->uncertainty(p));
-            if (!within(i, 2 * change)) return text(i, change);
-            ++counts.uncertain;
-        }
-        return "";
-    }
-
-private:
-    bool within(std::size_t i, double change) const {
-        const auto drawn = bytes_at(drawn_, i, settings_, 0);
-        const auto low = bytes_at(expected_, i, settings_, -change);
-        const auto high = bytes_at(expected_, i, settings_, change);
-        for (std::size_t c = 0; c < 3; ++c)
-            if (drawn[c] < low[c] - 1 || drawn[c] > high[c] + 1) return false;
-        return true;
-    }
-
-    std::string text(std::size_t i, double change) const {
-        return fmt::format(
-            "at ({}, {}) id {} radiance ({:.7g}, {:.7g}, {:.7g}), against ({:.7g}, {:.7g}, "
-            "{:.7g}); "
-            "the points' errors explain {:.3g}",
-            int(i) % drawn_.width, int(i) / drawn_.width, int(drawn_.id[i]), drawn_.r[i],
-            drawn_.g[i], drawn_.b[i], expected_.r[i], expected_.g[i], expected_.b[i], change);
-    }
-
-    const Scene& scene_;
-    const Settings& settings_;
-    const Framebuffer &drawn_, &expected_;
-    std::unique_ptr<LitPoints64> points_;
-};
+bool at_threshold(LitPoints64& points, int x, int y) {
+    const std::vector<LitPoint> here = points.at(x, y);
+    return std::any_of(here.begin(), here.end(),
+                       [&](const LitPoint& p) { return points.near_threshold(p); });
+}
 
 }  // namespace
 
 std::string level_difference(const Scene& scene, const Settings& settings, const Framebuffer& drawn,
                              const Framebuffer& expected, LevelCounts& counts) {
-    return LevelCheck(scene, settings, drawn, expected).run(counts);
+    const auto bytes = [&](const Framebuffer& frame) {
+        return encode(frame, settings.transfer, settings.exposure_ev);
+    };
+    const Image a = bytes(drawn), b = bytes(expected);
+    std::unique_ptr<LitPoints64> points;  // made where it is needed
+    counts.pixels += drawn.id.size();
+    for (std::size_t i = 0; i < drawn.id.size(); ++i) {
+        if (within_a_level(a, b, i)) continue;
+        if (!points) points = std::make_unique<LitPoints64>(scene, settings);
+        const int x = int(i) % drawn.width, y = int(i) / drawn.width;
+        if (!at_threshold(*points, x, y))
+            return fmt::format(
+                "at ({}, {}) id {} radiance ({:.7g}, {:.7g}, {:.7g}), against ({:.7g}, {:.7g}, "
+                "{:.7g})",
+                x, y, int(drawn.id[i]), drawn.r[i], drawn.g[i], drawn.b[i], expected.r[i],
+                expected.g[i], expected.b[i]);
+        ++counts.exempt;
+    }
+    return "";
 }
 
 std::string scalar_difference(const Scene& scene, const Settings& settings, RendererKind scalar,

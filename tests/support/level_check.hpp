@@ -7,12 +7,11 @@
 
 namespace scanshade {
 
-/// Pixels that were compared, and those among them that differ by more than a level for a reason.
+/// Pixels that were compared, and those among them that differ by more than a level because a
+/// quantity that light branches on is within its error of the threshold.
 struct LevelCounts {
     std::uint64_t pixels = 0;
-    std::uint64_t exempt =
-        0;  // a quantity that light branches on is within its error of the threshold
-    std::uint64_t uncertain = 0;  // light changes by that much when the point moves by its error
+    std::uint64_t exempt = 0;
 };
 
 /// The first pixel whose bytes differ by more than one level without a reason; "" if there is none.

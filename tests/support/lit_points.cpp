@@ -19,10 +19,6 @@ double picture_error(const View& view, const glm::dvec3& position) {
     return distance * (2 * 0x1p-21 + std::sqrt(0.5) / subpixels / view.pixels_per_unit);
 }
 
-Vec3<double> moved(const Vec3<double>& v, int axis, double by) {
-    return {v.x + (axis == 0 ? by : 0), v.y + (axis == 1 ? by : 0), v.z + (axis == 2 ? by : 0)};
-}
-
 Vec3<double> vec3_of(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
 glm::dvec3 to_glm(const Vec3<double>& v) { return {v.x, v.y, v.z}; }
 
@@ -95,36 +91,6 @@ bool LitPoints64::near_threshold(const LitPoint& point) const {
             return true;
     }
     return false;
-}
-
-std::array<double, 3> LitPoints64::radiance(const LitPoint& point) const {
-    const ResolvedMaterial& material = test_.plan.materials[point.material];
-    Batch<double> batch;
-    batch.push(point.position, point.normal, 0);
-    EventCounts ignored;
-    batch.illuminate(material, lighting_.of(material), ignored);
-    return {batch.radiance[0][0], batch.radiance[1][0], batch.radiance[2][0]};
-}
-
-double LitPoints64::radiance_change(const LitPoint& point, const LitPoint& moved_point) const {
-    const std::array<double, 3> a = radiance(point), b = radiance(moved_point);
-    double change = 0;
-    for (std::size_t c = 0; c < 3; ++c) change = std::max(change, std::abs(a[c] - b[c]));
-    return change;
-}
-
-double LitPoints64::uncertainty(const LitPoint& point) const {
-    double most = 0;
-    for (int axis = 0; axis < 3; ++axis)
-        for (const double way : {-1.0, 1.0}) {
-            LitPoint other = point;
-            other.position = moved(point.position, axis, way * point.position_error);
-            most = std::max(most, radiance_change(point, other));
-            other = point;
-            other.normal = moved(point.normal, axis, way * point.normal_error);
-            most = std::max(most, radiance_change(point, other));
-        }
-    return most;
 }
 
 }  // namespace scanshade

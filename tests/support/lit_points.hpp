@@ -29,13 +29,8 @@ public:
     /// 0, the cosine at the rim of a spot's cone, the length of the normal of what is taken as none.
     bool near_threshold(const LitPoint& point) const;
 
-    /// Largest change of the point's radiance when its position and normal move by their errors.
-    double uncertainty(const LitPoint& point) const;
-
 private:
     void add_points(FaceValues<double>& face, SnappedPoint p, std::vector<LitPoint>& out) const;
-    double radiance_change(const LitPoint& point, const LitPoint& moved) const;
-    std::array<double, 3> radiance(const LitPoint& point) const;
 
     TestFrame test_;
     std::vector<ObjectSurface> surfaces_;
