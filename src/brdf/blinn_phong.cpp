@@ -34,7 +34,7 @@ struct blinn_phong {
 
     template <Real R>
     static Rgb<R> f_cos(const Cosines<R>& c, const ParamPack<R>& p) {
-        if (p.matt()) return p.rgb(kd) * c.n_i * inv_pi_as<R>();
+        if (p.matt()) return p.rgb(kd) * inv_pi_as<R>() * c.n_i;
         return phong_f_cos(p.rgb(kd), p.rgb(ks), p.exponent(shininess), c.n_i, c.n_h);
     }
 };

@@ -19,12 +19,11 @@ SCANSHADE_TARGET_BEGIN;
 template <Real R>
 struct ParamPack {
     const MaterialParams<Scalar<R>>& material;
-    const Rgb<R>* albedo;  // texture: factor of the diffuse parameter; may be null
-    int diffuse;           // index of that parameter
+    int diffuse;           // index of the diffuse parameter, −1: none
+    Rgb<R> diffuse_value;  // that parameter, a texture's albedo included
 
     Rgb<R> rgb(int index) const {
-        const Rgb<R> value = uniform_rgb<R>(material.value[index]);
-        return albedo != nullptr && index == diffuse ? value * *albedo : value;
+        return index == diffuse ? diffuse_value : uniform_rgb<R>(material.value[index]);
     }
     R number(int index) const { return R(material.value[index][0]); }
     const Exponent& exponent(int index) const { return material.exponent[index]; }
@@ -45,6 +44,16 @@ constexpr int diffuse_index() {
     return -1;
 }
 
+/// `albedo`: factor of the diffuse parameter.
+template <class Model, Real R>
+ParamPack<R> param_pack(const MaterialParams<Scalar<R>>& material, const Rgb<R>& albedo) {
+    constexpr int diffuse = diffuse_index<Model>();
+    if constexpr (diffuse < 0)
+        return {material, diffuse, albedo};
+    else
+        return {material, diffuse, uniform_rgb<R>(material.value[diffuse]) * albedo};
+}
+
 template <Real R>
 Vec3<R> load_vec3(const Scalar<R>* const (&from)[3], std::size_t i) {
     return {RealTraits<R>::load(from[0] + i), RealTraits<R>::load(from[1] + i),
@@ -56,21 +65,12 @@ Vec3<R> uniform_vec3(const Scalar<R> (&value)[3]) {
     return {R(value[0]), R(value[1]), R(value[2])};
 }
 
-/// The light that arrives at P from one light: its direction and what scales its irradiance.
-template <class R>
-struct Arriving {
-    Vec3<R> wi;  // towards the light, unit; 0 where the point is at the light
-    R factor;    // attenuation · emission
-    R distance;  // s · |light − P|
-};
-
-// Inlined whatever their size: between vectors, a call would store and load every register.
+/// What scales the irradiance of a light towards −wi at a distance (in the light's units):
+/// attenuation and emission.
+// Inlined whatever its size: between vectors, a call would store and load every register.
 template <Real R>
-[[gnu::always_inline]] inline Arriving<R> arriving(const LightTerm<Scalar<R>>& light,
-                                                   const Vec3<R>& P) {
-    const Vec3<R> to_light = uniform_vec3<R>(light.position) - P * R(light.point_scale);
-    const R distance = sqrt(dot(to_light, to_light));
-    const Vec3<R> wi = normalise(to_light);
+[[gnu::always_inline]] inline R arriving(const LightTerm<Scalar<R>>& light, const Vec3<R>& wi,
+                                         R distance) {
     const R d = max(distance, R(light.radius));
     R factor = light.constant ? reciprocal(R(light.attenuation[0]))
                               : attenuation(d, light.attenuation[0], light.attenuation[1],
@@ -80,14 +80,14 @@ template <Real R>
     if (light.emission == LightEmission::spot)
         factor = factor *
                  spot_light(-wi, uniform_vec3<R>(light.axis), light.cos_cutoff, light.inv_penumbra);
-    return {wi, factor, distance};
+    return factor;
 }
 
 /// Samples of the vector at i that are nearer to the light than its radius.
 template <Real R>
-std::uint64_t count_nearer(const SurfaceSpan<Scalar<R>>& span, std::size_t i,
-                           const Arriving<R>& from, const LightTerm<Scalar<R>>& light) {
-    const auto nearer = from.distance < R(light.radius);
+std::uint64_t count_nearer(const SurfaceSpan<Scalar<R>>& span, std::size_t i, R distance,
+                           const LightTerm<Scalar<R>>& light) {
+    const auto nearer = distance < R(light.radius);
     const auto in_span = RealTraits<R>::iota() < R(static_cast<double>(span.count - i));
     const auto counted = span.counted == nullptr
                              ? in_span
@@ -109,18 +109,19 @@ SpanEvents illuminate_span(const SurfaceSpan<Scalar<R>>& span, const Lighting<Sc
             albedo = {RealTraits<R>::load(span.albedo[0] + i),
                       RealTraits<R>::load(span.albedo[1] + i),
                       RealTraits<R>::load(span.albedo[2] + i)};
-        const ParamPack<R> params{material, span.albedo[0] != nullptr ? &albedo : nullptr,
-                                  diffuse_index<Model>()};
-
+        const ParamPack<R> params = param_pack<Model, R>(material, albedo);
         Rgb<R> L =
             ambient_term(uniform_rgb<R>(lighting.ambient), uniform_rgb<R>(material.ka) * albedo) +
             uniform_rgb<R>(material.emission);
         for (const LightTerm<Scalar<R>>& light : lighting.lights) {
-            const Arriving<R> from = arriving(light, P);
-            const Cosines<R> c = cosines(n, from.wi, wo);
-            const R factor = select(c.n_i > R(0), from.factor, R(0));
+            const Vec3<R> to_light = uniform_vec3<R>(light.position) - P * R(light.point_scale);
+            const R distance2 = dot(to_light, to_light);
+            const R inv_distance = inverse_length(distance2), distance = distance2 * inv_distance;
+            const Vec3<R> wi = to_light * inv_distance;
+            const Cosines<R> c = cosines(n, wi, wo);
+            const R factor = select(c.n_i > R(0), arriving(light, wi, distance), R(0));
             L = L + light_term(factor, uniform_rgb<R>(light.irradiance), Model::f_cos(c, params));
-            if (light.touches) events.light_at_surface += count_nearer<R>(span, i, from, light);
+            if (light.touches) events.light_at_surface += count_nearer<R>(span, i, distance, light);
         }
         RealTraits<R>::store(L.r, span.radiance[0] + i);
         RealTraits<R>::store(L.g, span.radiance[1] + i);

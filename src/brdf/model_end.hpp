@@ -30,8 +30,8 @@ long double plain(long double x) { return x; }
 template <class R, class T>
 std::array<T, 3> f_cos(const Cosines<T>& c,
                        const MaterialParams<HWY_NAMESPACE::Scalar<R>>& material) {
-    const HWY_NAMESPACE::ParamPack<R> params{material, nullptr,
-                                             HWY_NAMESPACE::diffuse_index<Model>()};
+    const R one(1);
+    const auto params = HWY_NAMESPACE::param_pack<Model, R>(material, {one, one, one});
     const auto f = Model::f_cos(cosines_as<R>(c), params);
     return {plain(f.r), plain(f.g), plain(f.b)};
 }

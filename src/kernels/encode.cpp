@@ -1,7 +1,10 @@
 // Radiance into the picture: bytes, or planes of float, written once.
 #define SCANSHADE_SIMD
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 
 #include "kernels/engine_data.hpp"
@@ -18,6 +21,15 @@ SCANSHADE_TARGET_BEGIN;
 /// Rows of a block that a vector spans, and samples of a row that it holds.
 constexpr int vector_columns = std::min(N, block_side);
 
+using TagRow = hn::CappedTag<std::int32_t, vector_columns>;
+constexpr TagRow tag_row;
+
+/// Whether pixels may go past the caches: nothing reads them before the frame is done, and fetching
+/// a line only to overwrite it would cost as much again. That pays for whole lines only.
+inline bool starts_line(const std::uint32_t* to) {
+    return reinterpret_cast<std::uintptr_t>(to) % 64 == 0;
+}
+
 class SubtileWriter {
 public:
     SubtileWriter(const PictureView& picture, int x, int y, const Surface& surface)
@@ -27,20 +39,21 @@ public:
     std::uint64_t run(int subtile) {
         const int sx = (subtile % 4) * subtile_side, sy = (subtile / 4) * subtile_side;
         std::uint32_t next = 0;
-        for (int row = 0; row < subtile_side; row += block_side)
-            for (int column = 0; column < subtile_side; column += block_side)
-                for (int v = 0; v < block_samples / N; ++v) {
-                    const int at = tile_index(sx + column, sy + row) + v * N;
-                    const bool seen = next < surface_.vectors && surface_.tile_at[next] == at;
-                    write_vector(at, seen ? next++ : none);
-                }
+        for (int i = 0; i < subtile_samples; i += N) {
+            const int block = i / block_samples;
+            const int at = tile_index(sx + block % 4 * block_side, sy + block / 4 * block_side) +
+                           i % block_samples;
+            const bool seen = next < surface_.vectors && surface_.tile_at[next] == at;
+            write_vector(i, at, seen ? next++ : none);
+        }
+        if (picture_.rgba != nullptr) write_pixels(x_ + sx, y_ + sy);
         return not_finite_;
     }
 
 private:
     static constexpr std::uint32_t none = 0xffffffffu;
 
-    void write_vector(int at, std::uint32_t v) {
+    void write_vector(int i, int at, std::uint32_t v) {
         VecF L[3];
         for (int c = 0; c < 3; ++c) L[c] = hn::Set(tag_f, picture_.background[c]);
         MaskF seen = hn::Lt(L[0], L[0]);
@@ -51,7 +64,7 @@ private:
                 L[c] = hn::IfThenElse(seen, hn::Load(tag_f, surface_.radiance[c] + from), L[c]);
             drop_not_finite(L, seen);
         }
-        if (picture_.rgba != nullptr) write_bytes(at, L, seen);
+        if (picture_.rgba != nullptr) write_bytes(i, L, seen);
         if (picture_.r == nullptr) return;
         add(at, picture_.r, L[0]);
         add(at, picture_.g, L[1]);
@@ -67,22 +80,34 @@ private:
         for (VecF& channel : L) channel = hn::IfThenZeroElse(bad, channel);
     }
 
-    void write_bytes(int at, const VecF (&L)[3], MaskF seen) const {
+    void write_bytes(int i, const VecF (&L)[3], MaskF seen) {
         const VecI r = bytes_of(L[0]), g = bytes_of(L[1]), b = bytes_of(L[2]);
         const VecI alpha = hn::Set(tag_i, std::int32_t(0xff000000u));
         const VecI rgba =
             hn::Or(hn::Or(r, hn::ShiftLeft<8>(g)), hn::Or(hn::ShiftLeft<16>(b), alpha));
         const VecI background = hn::Set(tag_i, std::int32_t(picture_.background_rgba));
-        alignas(64) std::int32_t pixels[N];
-        hn::Store(hn::IfThenElse(hn::RebindMask(tag_i, seen), rgba, background), tag_i, pixels);
-        for_each_row(at, [&](std::size_t to, int from, int columns) {
-            // A whole row of a block is one store.
-            if (columns == vector_columns)
-                std::memcpy(picture_.rgba + to, pixels + from, vector_columns * sizeof *pixels);
-            else
-                std::memcpy(picture_.rgba + to, pixels + from,
-                            std::size_t(columns) * sizeof *pixels);
-        });
+        hn::Store(hn::IfThenElse(hn::RebindMask(tag_i, seen), rgba, background), tag_i,
+                  pixels_ + i);
+    }
+
+    /// From blocks to rows of the picture, whose pixel (x, y) is the subtile's first.
+    void write_pixels(int x, int y) const {
+        const int columns = std::min(subtile_side, picture_.width - x);
+        const int rows = std::min(subtile_side, picture_.height - y);
+        for (int row = 0; row < rows; ++row) {
+            std::uint32_t* to =
+                picture_.rgba + std::size_t(y + row) * std::size_t(picture_.width) + std::size_t(x);
+            const std::int32_t* from = pixels_ + row / block_side * subtile_side * block_side +
+                                       row % block_side * block_side;
+            const bool line = columns == subtile_side && starts_line(to);
+            for (int column = 0; column < columns; column += block_side, from += block_samples)
+                if (line)
+                    for (int i = 0; i < block_side; i += vector_columns)
+                        hn::Stream(hn::Load(tag_row, from + i), tag_row, as_int(to + column + i));
+                else
+                    std::memcpy(to + column, from,
+                                std::size_t(std::min(block_side, columns - column)) * sizeof *from);
+        }
     }
 
     /// Nearest byte of the transfer curve. The double formula decides: a polynomial in √v comes
@@ -132,6 +157,7 @@ private:
     const int x_, y_;
     const Surface& surface_;
     std::uint64_t not_finite_ = 0;
+    alignas(64) std::int32_t pixels_[subtile_samples];  // block by block
 };
 
 std::uint64_t write_here(const PictureView& picture, int x, int y, int subtile,
@@ -143,6 +169,9 @@ std::uint64_t write_here(const PictureView& picture, int x, int y, int subtile,
 void fill_pixels(std::uint32_t* to, std::size_t count, std::uint32_t rgba) {
     const VecI v = hn::Set(tag_i, std::int32_t(rgba));
     std::size_t i = 0;
+    if (starts_line(to))
+        for (; i + std::size_t(N) <= count; i += std::size_t(N))
+            hn::Stream(v, tag_i, as_int(to + i));
     for (; i + std::size_t(N) <= count; i += std::size_t(N)) hn::StoreU(v, tag_i, as_int(to + i));
     for (; i < count; ++i) to[i] = rgba;
 }
@@ -174,6 +203,8 @@ std::uint64_t write_radiance(const PictureView& picture, int x, int y, int subti
                              const Surface& surface) {
     return HWY_DYNAMIC_DISPATCH(write_here)(picture, x, y, subtile, surface);
 }
+
+void finish_writing() { hwy::FlushStream(); }
 
 void write_background(const PictureView& picture, int x, int y, int width, int height) {
     HWY_DYNAMIC_DISPATCH(background_here)(picture, x, y, width, height);

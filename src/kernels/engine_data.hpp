@@ -344,6 +344,9 @@ std::uint64_t write_radiance(const PictureView& picture, int x, int y, int subti
 /// Writes background into the samples [x, x + width) × [y, y + height), cut to the picture.
 void write_background(const PictureView& picture, int x, int y, int width, int height);
 
+/// What this thread has written becomes visible to the others.
+void finish_writing();
+
 /// What one worker of set-up has made.
 struct SetupWorker {
     TileLists tiny;    // refs of batches: within one block

@@ -223,6 +223,7 @@ void Engine::Pass::shade() {
         if (!rastered_) raster_tile(tile, x, y, *worker.tile);
         worker.covered +=
             worker.shader->shade(x, y, rastered_ ? *state_.tiles[tile] : *worker.tile);
+        finish_writing();
     });
     for (EngineWorker& worker : state_.workers) {
         frame_.items += worker.covered;
@@ -248,6 +249,7 @@ void Engine::Pass::draw_background() {
                          if (left_empty(tile) || frame_.plan.triangles == 0)
                              write_empty(int(tile % std::size_t(tiles_x_)) * tile_,
                                          int(tile / std::size_t(tiles_x_)) * tile_);
+                     finish_writing();
                  });
     frame_.items += tiles;
     count(frame_.saved, PlanRow::empty_tiles, {tiles, tile_count()});

@@ -88,15 +88,15 @@ R pow_shininess(R x, const Exponent& s) {
 /// source  Phong 1975
 template <Real R>
 Rgb<R> phong_reflection(const Rgb<R>& k_d, const Rgb<R>& k_s, const Exponent& n, R cos_i, R cos_r) {
-    return k_d * cos_i + k_s * pow_shininess(cos_r, n);
+    return mul_add(k_s, pow_shininess(cos_r, n), k_d * cos_i);
 }
 
 /// Phong reflection as a BRDF, times cosθ_i.
 ///
 ///     f_r = k_d + k_s cosⁿθ_r/cosθ_i                                    printed          (B13)
 ///
-/// computed as f_r cosθ_i = (k_d cosθ_i + k_s cosⁿθ_r)/π: f_r is unbounded where θ_i is grazing,
-/// f_r cosθ_i is not. The printed k_d and k_s are in 1/sr; here they are those of C7, larger by π.
+/// computed as f_r cosθ_i = k_d/π cosθ_i + k_s/π cosⁿθ_r: f_r is unbounded where θ_i is grazing,
+/// f_r cosθ_i is not; and k/π is the same for all lights. The printed k_d and k_s are in 1/sr; here they are those of C7, larger by π.
 /// in      as B12
 /// out     f_r cosθ_i                                 [0, 2/π]            1/sr
 /// error   that of B12 and 2 u
@@ -105,7 +105,8 @@ Rgb<R> phong_reflection(const Rgb<R>& k_d, const Rgb<R>& k_s, const Exponent& n,
 /// source  Phong 1975
 template <Real R>
 Rgb<R> phong_f_cos(const Rgb<R>& k_d, const Rgb<R>& k_s, const Exponent& n, R cos_i, R cos_r) {
-    return phong_reflection(k_d, k_s, n, cos_i, cos_r) * inv_pi_as<R>();
+    const R inv_pi = inv_pi_as<R>();
+    return phong_reflection(k_d * inv_pi, k_s * inv_pi, n, cos_i, cos_r);
 }
 
 /// Modified Phong reflection, normalised so that it keeps energy and is reciprocal.

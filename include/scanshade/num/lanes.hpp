@@ -61,9 +61,14 @@ inline Lanes select(Lanes::Mask mask, Lanes a, Lanes b) {
 }
 inline Lanes::Mask mask_and(Lanes::Mask a, Lanes::Mask b) { return {hn::And(a.m, b.m)}; }
 inline std::uint64_t count_true(Lanes::Mask mask) { return hn::CountTrue(Lanes::Tag(), mask.m); }
-// By selection, so that a NaN goes the same way as in the scalar twins on every target.
+// Where one is a NaN, the second, as the scalar twins have it. That is what the instruction of x86 does.
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+inline Lanes max(Lanes a, Lanes b) { return Lanes(hn::Max(a.v, b.v)); }
+inline Lanes min(Lanes a, Lanes b) { return Lanes(hn::Min(a.v, b.v)); }
+#else
 inline Lanes max(Lanes a, Lanes b) { return select(a > b, a, b); }
 inline Lanes min(Lanes a, Lanes b) { return select(a < b, a, b); }
+#endif
 inline Lanes sqrt(Lanes x) { return Lanes(hn::Sqrt(x.v)); }
 inline Lanes mul_add(Lanes a, Lanes b, Lanes c) { return Lanes(hn::MulAdd(a.v, b.v, c.v)); }
 #if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128

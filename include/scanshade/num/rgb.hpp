@@ -36,6 +36,12 @@ Rgb<R> operator*(const Rgb<R>& a, R s) {
     return {a.r * s, a.g * s, a.b * s};
 }
 
+/// a s + c and a b + c, channel by channel.
+template <Real R>
+Rgb<R> mul_add(const Rgb<R>& a, R s, const Rgb<R>& c) {
+    return {mul_add(a.r, s, c.r), mul_add(a.g, s, c.g), mul_add(a.b, s, c.b)};
+}
+
 /// The same three numbers in every element.
 template <Real R>
 Rgb<R> uniform_rgb(const Scalar<R> (&value)[3]) {
