@@ -242,23 +242,39 @@ void complete_tile(const RasterView& view, int x, int y, TileBuffer& tile);
 
 // ---- light at vertices and faces
 
-/// Which face each triangle of an object belongs to.
-struct LitFaces {
+/// Points to light, one after another.
+struct PointArrays {
+    float *position[3], *normal[3];
+};
+
+/// A mesh's vertex slots in the world.
+struct PlacedMesh {
+    float to_world[3][4];
+    const float* normal[3];  // [slot] unit
+};
+
+/// An object's faces in the world, and which of them each triangle belongs to.
+struct FaceArrays {
+    const float *centre[3], *normal[3];  // [face]
     const std::uint32_t* triangle_face;
     std::uint32_t first_triangle, triangle_count;
 };
 
-/// Lit points that a batch reads: two a vertex slot (Gouraud) or face (flat), front and back.
-struct LitFill {
-    Shading shading;
+/// Radiance at the vertex slots of an object; seen from behind, `side` further on.
+struct VertexLight {
     const float* radiance[3];
-    const float* dark[3];      // without diffuse reflection; null where nothing is textured
-    std::int32_t first_point;  // Gouraud: of the cluster's first slot
-    LitFaces faces;            // flat
+    std::uint32_t first;  // of the cluster's first slot
+    std::uint32_t side;
 };
 
-/// Turns the weights' planes of a Gouraud batch into planes of radiance, or fills in a flat one's.
-void fill_lit(float* batch, const Attributes& attributes, const LitFill& lit);
+/// The cluster_padding vertices from `slot` on.
+void place_vertices(const ClusteredMesh& mesh, const PlacedMesh& placed, std::uint32_t slot,
+                    bool back, const PointArrays& to);
+/// The face of each triangle of a batch, turned to the viewer.
+void place_faces(const float* batch, const FaceArrays& faces, const PointArrays& to);
+
+/// Planes of radiance from row `to` on, from those of the corners' weights at row `weights`.
+void fill_lit(float* batch, int weights, int to, const VertexLight& light);
 
 // ---- from what is seen to surface points
 

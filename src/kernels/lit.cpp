@@ -1,4 +1,4 @@
-// Radiance of lit points into the planes of batches: Gouraud and flat shading.
+// Gouraud and flat shading: the points to light, and their radiance into the planes of batches.
 #define SCANSHADE_SIMD
 
 #include "kernels/engine_data.hpp"
@@ -23,51 +23,61 @@ VecI side_of(VecI packed) {
 }
 
 /// Σ radiance_i · (plane of corner i's weight): the weights' planes are replaced.
-void fill_gouraud(float* batch, int row, const float* const (&radiance)[3],
-                  std::int32_t first_point, const VecF (&weight)[9]) {
+void fill_here(float* batch, int weights, int to, const VertexLight& light) {
     const VecI packed = load_row(batch, row_corners);
-    const VecI local = hn::Set(tag_i, max_cluster_vertices - 1), side = side_of(packed);
-    const VecI corner[3] = {hn::And(packed, local),
-                            hn::And(hn::ShiftRight<corner_bits>(packed), local),
-                            hn::And(hn::ShiftRight<2 * corner_bits>(packed), local)};
-    VecI point[3];
-    for (int k = 0; k < 3; ++k)
-        point[k] = hn::Add(hn::Add(hn::ShiftLeft<1>(corner[k]), side), hn::Set(tag_i, first_point));
+    const VecI local = hn::Set(tag_i, max_cluster_vertices - 1);
+    const VecI first = hn::Add(hn::Set(tag_i, std::int32_t(light.first)),
+                               hn::Mul(side_of(packed), hn::Set(tag_i, std::int32_t(light.side))));
+    const VecI point[3] = {hn::Add(first, hn::And(packed, local)),
+                           hn::Add(first, hn::And(hn::ShiftRight<corner_bits>(packed), local)),
+                           hn::Add(first, hn::And(hn::ShiftRight<2 * corner_bits>(packed), local))};
+    VecF weight[9];
+    for (int r = 0; r < 9; ++r) weight[r] = hn::Load(tag_f, batch + (weights + r) * N);
     for (int c = 0; c < 3; ++c) {
         VecF L[3];
-        for (int k = 0; k < 3; ++k) L[k] = hn::GatherIndex(tag_f, radiance[c], point[k]);
+        for (int k = 0; k < 3; ++k) L[k] = hn::GatherIndex(tag_f, light.radiance[c], point[k]);
         for (int part = 0; part < 3; ++part) {
             const VecF sum =
                 hn::MulAdd(L[0], weight[part],
                            hn::MulAdd(L[1], weight[3 + part], hn::Mul(L[2], weight[6 + part])));
-            hn::Store(sum, tag_f, batch + (row + 3 * c + part) * N);
+            hn::Store(sum, tag_f, batch + (to + 3 * c + part) * N);
         }
     }
 }
 
-void fill_flat(float* batch, int row, const float* const (&radiance)[3], const LitFaces& faces) {
-    const VecI side = side_of(load_row(batch, row_corners));
+void place_vertices_here(const ClusteredMesh& mesh, const PlacedMesh& placed, std::uint32_t slot,
+                         bool back, const PointArrays& to) {
+    const VecF side = hn::Set(tag_f, back ? -1.0f : 1.0f);
+    for (std::uint32_t i = 0; i < cluster_padding; i += std::uint32_t(N)) {
+        const VecF x = hn::LoadU(tag_f, &mesh.x[slot + i]), y = hn::LoadU(tag_f, &mesh.y[slot + i]),
+                   z = hn::LoadU(tag_f, &mesh.z[slot + i]);
+        for (int r = 0; r < 3; ++r) {
+            const float* m = placed.to_world[r];
+            const VecF p =
+                hn::MulAdd(hn::Set(tag_f, m[0]), x,
+                           hn::MulAdd(hn::Set(tag_f, m[1]), y,
+                                      hn::MulAdd(hn::Set(tag_f, m[2]), z, hn::Set(tag_f, m[3]))));
+            hn::StoreU(p, tag_f, to.position[r] + i);
+            const VecF n = hn::LoadU(tag_f, placed.normal[r] + slot + i);
+            hn::StoreU(hn::Mul(n, side), tag_f, to.normal[r] + i);
+        }
+    }
+}
+
+void place_faces_here(const float* batch, const FaceArrays& faces, const PointArrays& to) {
     const VecI in_mesh =
         hn::Sub(load_row(batch, row_id), hn::Set(tag_i, std::int32_t(faces.first_triangle)));
     // Unused lanes hold anything.
     const VecI last = hn::Set(tag_i, std::int32_t(faces.triangle_count) - 1);
     const VecI triangle = hn::Min(hn::Max(in_mesh, hn::Zero(tag_i)), last);
     const VecI face = hn::GatherIndex(tag_i, as_int(faces.triangle_face), triangle);
-    const VecI point = hn::Add(hn::ShiftLeft<1>(face), side);
-    for (int c = 0; c < 3; ++c)
-        hn::Store(hn::GatherIndex(tag_f, radiance[c], point), tag_f, batch + (row + 3 * c) * N);
-}
-
-void fill_here(float* batch, const Attributes& at, const LitFill& lit) {
-    if (lit.shading == Shading::flat) {
-        fill_flat(batch, at.main, lit.radiance, lit.faces);
-        if (lit.dark[0] != nullptr) fill_flat(batch, at.dark, lit.dark, lit.faces);
-        return;
+    const VecI back = side_of(load_row(batch, row_corners));
+    const VecF side = hn::Sub(hn::Set(tag_f, 1.0f), to_float(hn::Add(back, back)));
+    for (int c = 0; c < 3; ++c) {
+        hn::StoreU(hn::GatherIndex(tag_f, faces.centre[c], face), tag_f, to.position[c]);
+        const VecF n = hn::GatherIndex(tag_f, faces.normal[c], face);
+        hn::StoreU(hn::Mul(n, side), tag_f, to.normal[c]);
     }
-    VecF weight[9];
-    for (int r = 0; r < 9; ++r) weight[r] = hn::Load(tag_f, batch + (at.main + r) * N);
-    fill_gouraud(batch, at.main, lit.radiance, lit.first_point, weight);
-    if (lit.dark[0] != nullptr) fill_gouraud(batch, at.dark, lit.dark, lit.first_point, weight);
 }
 
 SCANSHADE_TARGET_END;
@@ -76,9 +86,18 @@ SCANSHADE_TARGET_END;
 namespace scanshade {
 
 HWY_EXPORT(fill_here);
+HWY_EXPORT(place_vertices_here);
+HWY_EXPORT(place_faces_here);
 
-void fill_lit(float* batch, const Attributes& attributes, const LitFill& lit) {
-    HWY_DYNAMIC_DISPATCH(fill_here)(batch, attributes, lit);
+void fill_lit(float* batch, int weights, int to, const VertexLight& light) {
+    HWY_DYNAMIC_DISPATCH(fill_here)(batch, weights, to, light);
+}
+void place_vertices(const ClusteredMesh& mesh, const PlacedMesh& placed, std::uint32_t slot,
+                    bool back, const PointArrays& to) {
+    HWY_DYNAMIC_DISPATCH(place_vertices_here)(mesh, placed, slot, back, to);
+}
+void place_faces(const float* batch, const FaceArrays& faces, const PointArrays& to) {
+    HWY_DYNAMIC_DISPATCH(place_faces_here)(batch, faces, to);
 }
 
 }  // namespace scanshade

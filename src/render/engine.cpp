@@ -48,7 +48,7 @@ Engine::Pass::Pass(State& state, Frame& frame)
       tile_(frame.plan.tile),
       tiles_x_(tiles_along(frame.view.width, tile_)),
       tiles_y_(tiles_along(frame.view.height, tile_)),
-      light_(shading_, state.scene, state.batches, state.records) {
+      light_(shading_, state.scene, state.batches, state.records, state.light) {
     make_setup_view();
     make_objects();
     make_resolve_view();
@@ -196,14 +196,13 @@ void Engine::Pass::each_tile(Draw&& draw) {
 }
 
 void Engine::Pass::raster() {
-    rastered_ = true;
     light_.reset();
     state_.tiles.resize(tile_count());
     each_tile([&](std::size_t tile, int x, int y, EngineWorker& worker) {
         std::unique_ptr<TileBuffer>& buffer = state_.tiles[tile];
         if (!buffer) buffer = std::make_unique<TileBuffer>();
         raster_tile(tile, x, y, *buffer);
-        if (leaves_out(PlanRow::unseen_points)) light_.see(*buffer);
+        light_.see(*buffer);
         ++worker.tiles;
     });
     for (const EngineWorker& worker : state_.workers) frame_.items += worker.tiles;
@@ -211,7 +210,10 @@ void Engine::Pass::raster() {
 
 void Engine::Pass::light_points() {
     const bool seen_only = leaves_out(PlanRow::unseen_points);
-    if (!seen_only) light_.see_all();
+    if (!seen_only) {
+        light_.reset();
+        light_.see_all();
+    }
     const EngineLight::Counts points = light_.light(frame_.events);
     frame_.items += points.lit;
     const std::uint64_t unlit = seen_only ? points.all - points.lit : 0;
@@ -219,10 +221,10 @@ void Engine::Pass::light_points() {
 }
 
 void Engine::Pass::shade() {
+    const bool rastered = leaves_out(PlanRow::unseen_points);
     each_tile([&](std::size_t tile, int x, int y, EngineWorker& worker) {
-        if (!rastered_) raster_tile(tile, x, y, *worker.tile);
-        worker.covered +=
-            worker.shader->shade(x, y, rastered_ ? *state_.tiles[tile] : *worker.tile);
+        if (!rastered) raster_tile(tile, x, y, *worker.tile);
+        worker.covered += worker.shader->shade(x, y, rastered ? *state_.tiles[tile] : *worker.tile);
         finish_writing();
     });
     for (EngineWorker& worker : state_.workers) {

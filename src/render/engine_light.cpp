@@ -13,138 +13,210 @@ namespace {
 /// Several threads may note the same; nobody reads before all are done.
 void note(std::uint8_t& flag) { std::atomic_ref(flag).store(1, std::memory_order_relaxed); }
 
-}  // namespace
-
-EngineLight::EngineLight(const TileShading& shading, const EngineScene& scene, BatchStore& batches,
-                         std::vector<Record>& records)
-    : shading_(shading), scene_(scene), batches_(batches), records_(records) {}
-
-void EngineLight::reset() {
-    points_.resize(scene_.objects.size());
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-        if (!concerns(static_cast<std::uint32_t>(i))) continue;
-        const Mesh& mesh = *shading_.frame.scene.objects[i].mesh;
-        const std::size_t count =
-            2 * (shading_.objects[i].shading == Shading::flat ? mesh.face_count()
-                                                              : scene_.objects[i].mesh->x.size());
-        points_[i].needed.assign(count, 0);
-        for (int c = 0; c < 3; ++c) {
-            points_[i].radiance[c].resize(count);
-            points_[i].dark[c].resize(shading_.frame.plan.texture ? count : 0);
-        }
+PlacedMesh placed(const EngineObject& object) {
+    PlacedMesh out{};
+    for (int c = 0; c < 3; ++c) {
+        std::copy_n(object.to_world[c], 4, out.to_world[c]);
+        out.normal[c] = object.normal[c].data();
     }
-    seen_triangle_.assign(batches_.used() * batches_.lanes(), 0);
-    seen_record_.assign(records_.size(), 0);
+    return out;
 }
 
+void resize(std::vector<float> (&channels)[3], std::size_t count) {
+    for (auto& channel : channels) channel.resize(count);
+}
+
+}  // namespace
+
+/// Points of one material on their way through its kernel: those of a cluster or of a batch.
+class EngineLight::Points {
+public:
+    static constexpr std::size_t capacity = max_cluster_vertices;
+
+    /// Room for a vector of points from `first` on.
+    PointArrays at(std::size_t first) {
+        PointArrays out{};
+        for (int c = 0; c < 3; ++c) {
+            out.position[c] = position_[c] + first;
+            out.normal[c] = normal_[c] + first;
+        }
+        return out;
+    }
+
+    /// The first `count` of them, each with that albedo in every channel.
+    void light(const TileShading& shading, std::uint32_t number, std::size_t count, float albedo,
+               float* const (&radiance)[3], EventCounts& events) {
+        const ResolvedMaterial& material = shading.frame.plan.materials[number];
+        std::fill(std::begin(albedo_), std::end(albedo_), albedo);
+        SurfaceSpan<float> span{};
+        for (int c = 0; c < 3; ++c) {
+            span.position[c] = position_[c];
+            span.normal[c] = normal_[c];
+            span.albedo[c] = albedo_;
+            span.radiance[c] = radiance[c];
+        }
+        span.count = count;
+        const SpanEvents seen = material.brdf->illuminate_simd(span, shading.lighting.of(material),
+                                                               shading.params[number]);
+        if (seen.light_at_surface > 0) events.add(Event::light_at_surface, seen.light_at_surface);
+    }
+
+private:
+    alignas(64) float position_[3][capacity] = {}, normal_[3][capacity] = {}, albedo_[capacity];
+};
+
+EngineLight::EngineLight(const TileShading& shading, const EngineScene& scene, BatchStore& batches,
+                         std::vector<Record>& records, EngineLightMemory& memory)
+    : shading_(shading), scene_(scene), batches_(batches), records_(records), memory_(memory) {}
+
+void EngineLight::reset() {
+    memory_.objects.resize(scene_.objects.size());
+    for (std::size_t i = 0; i < scene_.objects.size(); ++i)
+        if (concerns(static_cast<std::uint32_t>(i))) reset_object(i);
+    memory_.seen_triangle.assign(batches_.used() * batches_.lanes(), 0);
+    memory_.seen_record.assign(records_.size(), 0);
+}
+
+void EngineLight::reset_object(std::size_t object) {
+    EngineLitObject& lit = memory_.objects[object];
+    if (shading_.objects[object].shading == Shading::gouraud) {
+        const std::size_t count = 2 * scene_.objects[object].mesh->x.size();
+        lit.needed.assign(count, 0);
+        resize(lit.radiance, count);
+        if (shading_.frame.plan.texture) resize(lit.dark, count);
+        return;
+    }
+    const std::size_t faces = shading_.frame.scene.objects[object].mesh->face_count();
+    if (lit.centre[0].size() == faces) return;
+    resize(lit.centre, faces);
+    resize(lit.normal, faces);
+    for (std::size_t face = 0; face < faces; ++face) {
+        const glm::dvec3 p = shading_.surfaces[object].face_centre(face);
+        const glm::dvec3 n = shading_.surfaces[object].face_normal(face);
+        for (int c = 0; c < 3; ++c) {
+            lit.centre[c][face] = static_cast<float>(p[c]);
+            lit.normal[c][face] = static_cast<float>(n[c]);
+        }
+    }
+}
+
+// ---- what is seen
+
 void EngineLight::see(const TileBuffer& tile) {
+    // Without a branch: whether a neighbour shows the same triangle is as good as chance.
+    std::uint8_t nothing = 0;
     for (int s = 0; s < TileBuffer::subtiles; ++s) {
         if (!tile.written[s]) continue;
-        std::uint32_t last = no_ref;
         for (int i = 0; i < subtile_samples; ++i) {
             const int row = (s / 4) * 4 + i / 64, column = (s % 4) * 4 + i % 64 / block_samples;
             const std::uint32_t ref =
                 tile.ref[(row * (tile_side / block_side) + column) * block_samples +
                          i % block_samples];
-            if (ref == last || ref == no_ref) continue;
-            last = ref;
-            note((ref & record_bit) != 0 ? seen_record_[ref & ~record_bit] : seen_triangle_[ref]);
+            if (ref == no_ref || (ref & record_bit) == 0)
+                note(ref == no_ref ? nothing : memory_.seen_triangle[ref]);
+            else
+                note(memory_.seen_record[ref & ~record_bit]);
         }
     }
 }
 
 void EngineLight::see_all() {
-    std::fill(seen_triangle_.begin(), seen_triangle_.end(), std::uint8_t{1});
-    std::fill(seen_record_.begin(), seen_record_.end(), std::uint8_t{1});
+    std::fill(memory_.seen_triangle.begin(), memory_.seen_triangle.end(), std::uint8_t{1});
+    std::fill(memory_.seen_record.begin(), memory_.seen_record.end(), std::uint8_t{1});
 }
 
-void EngineLight::mark(std::uint32_t object, std::size_t point) {
-    note(points_[object].needed[point]);
-}
-
-void EngineLight::mark_batch(std::uint32_t number) {
+void EngineLight::mark_vertices(std::uint32_t number) {
     const BatchInfo& info = batches_.info(number);
-    if (info.count == 0 || !concerns(info.object)) return;
     const std::uint32_t lanes = batches_.lanes();
-    const auto* rows = reinterpret_cast<const std::uint32_t*>(batches_.batch(number));
-    const Mesh& mesh = *shading_.frame.scene.objects[info.object].mesh;
-    const std::uint32_t first_triangle = shading_.frame.plan.objects[info.object].first_triangle;
-    const std::uint32_t first_slot =
-        scene_.objects[info.object].mesh->clusters[info.cluster].first_vertex;
+    const auto* packed = reinterpret_cast<const std::uint32_t*>(batches_.batch(number)) +
+                         std::size_t(row_corners) * lanes;
+    const ClusteredMesh& mesh = *scene_.objects[info.object].mesh;
+    std::uint8_t* needed =
+        memory_.objects[info.object].needed.data() + mesh.clusters[info.cluster].first_vertex;
     for (std::uint32_t lane = 0; lane < info.count; ++lane) {
-        if (seen_triangle_[number * lanes + lane] == 0) continue;
-        const std::uint32_t packed = rows[row_corners * lanes + lane];
-        const std::size_t back = (packed & back_bit) != 0 ? 1 : 0;
-        if (shading_.objects[info.object].shading == Shading::flat) {
-            const std::uint32_t id = rows[row_id * lanes + lane];
-            mark(info.object, 2 * std::size_t(mesh.triangle_face[id - first_triangle]) + back);
-            continue;
-        }
-        for (int k = 0; k < 3; ++k) {
-            const std::uint32_t local = packed >> (k * corner_bits) & (max_cluster_vertices - 1);
-            mark(info.object, 2 * std::size_t(first_slot + local) + back);
-        }
+        if (seen(number)[lane] == 0) continue;
+        std::uint8_t* side = needed + ((packed[lane] & back_bit) != 0 ? mesh.x.size() : 0);
+        for (int k = 0; k < 3; ++k)
+            note(side[packed[lane] >> (k * corner_bits) & (max_cluster_vertices - 1)]);
     }
 }
 
 // ---- light
 
-void EngineLight::finish(std::size_t object, std::uint32_t number, Batch<float>& points,
-                         EventCounts& events) {
-    if (points.size() == 0) return;
-    EngineLitPoints& lit = points_[object];
-    const ResolvedMaterial& material = shading_.frame.plan.materials[number];
-    const auto run = [&](std::vector<float>(&to)[3], float albedo) {
-        points.textured = true;
-        for (auto& channel : points.albedo) channel.assign(points.size(), albedo);
-        points.illuminate(material, shading_.lighting.of(material), events);
-        for (std::size_t i = 0; i < points.size(); ++i)
-            for (int c = 0; c < 3; ++c) to[c][points.target[i]] = points.radiance[c][i];
-    };
-    run(lit.radiance, 1);
-    if (shading_.frame.plan.texture) {
-        points.unpad();
-        run(lit.dark, 0);
-    }
-    points.clear();
-}
-
-void EngineLight::light_cluster(std::size_t object, std::size_t number, Batch<float>& points,
-                                EventCounts& events) {
+/// Whole vectors from the first vertex that somebody needs to the last.
+EngineLight::Counts EngineLight::light_cluster(std::size_t object, std::size_t number,
+                                               Points& points, EventCounts& events) {
     const EngineObject& engine = scene_.objects[object];
-    const ClusteredMesh& mesh = *engine.mesh;
-    const Cluster& cluster = mesh.clusters[number];
-    for (std::uint32_t i = 0; i < 2 * cluster.vertex_count; ++i) {
-        const std::uint32_t slot = cluster.first_vertex + i / 2;
-        const std::size_t point = 2 * std::size_t(cluster.first_vertex) + i;
-        if (points_[object].needed[point] == 0) continue;
-        const float side = i % 2 == 0 ? 1.0f : -1.0f;
-        const auto world = [&](int r) {
-            const float* m = engine.to_world[r];
-            return m[0] * mesh.x[slot] + m[1] * mesh.y[slot] + m[2] * mesh.z[slot] + m[3];
+    const Cluster& cluster = engine.mesh->clusters[number];
+    EngineLitObject& lit = memory_.objects[object];
+    Counts counts;
+    for (const bool back : {false, true}) {
+        const std::size_t side = back ? engine.mesh->x.size() : 0;
+        const auto begin = lit.needed.begin() + std::ptrdiff_t(side + cluster.first_vertex);
+        const auto end = begin + std::ptrdiff_t(cluster.vertex_count);
+        const auto first = std::find(begin, end, 1);
+        if (first == end) continue;
+        counts.lit += std::uint64_t(std::count(first, end, 1));
+        const auto from = std::size_t(first - begin) / cluster_padding * cluster_padding;
+        std::size_t to = cluster.vertex_count;
+        while (to > from + cluster_padding && begin[std::ptrdiff_t(to) - 1] == 0) --to;
+        for (std::size_t i = from; i < to; i += cluster_padding)
+            place_vertices(*engine.mesh, placed(engine),
+                           cluster.first_vertex + static_cast<std::uint32_t>(i), back,
+                           points.at(i - from));
+        const std::size_t at = side + cluster.first_vertex + from;
+        const auto light = [&](std::vector<float>(&radiance)[3], float albedo) {
+            points.light(
+                shading_, shading_.frame.plan.objects[object].materials[cluster.material],
+                to - from, albedo,
+                {radiance[0].data() + at, radiance[1].data() + at, radiance[2].data() + at},
+                events);
         };
-        points.push(
-            {world(0), world(1), world(2)},
-            Vec3<float>{engine.normal[0][slot], engine.normal[1][slot], engine.normal[2][slot]} *
-                side,
-            point);
+        light(lit.radiance, 1);
+        if (shading_.frame.plan.texture) light(lit.dark, 0);
     }
-    finish(object, shading_.frame.plan.objects[object].materials[cluster.material], points, events);
+    return counts;
 }
 
-void EngineLight::light_faces(std::size_t object, std::size_t begin, std::size_t end,
-                              Batch<float>& points, EventCounts& events) {
-    const ObjectSurface& surface = shading_.surfaces[object];
-    std::uint32_t material = 0;
-    for (std::size_t i = 2 * begin; i < 2 * end; ++i) {
-        if (points_[object].needed[i] == 0) continue;
-        const std::uint32_t own = material_of(shading_.frame, object, i / 2);
-        if (own != material) finish(object, material, points, events);
-        material = own;
-        points.push(to_vec3<float>(surface.face_centre(i / 2)),
-                    to_vec3<float>(surface.face_normal(i / 2)) * (i % 2 == 0 ? 1.0f : -1.0f), i);
+void EngineLight::fill(std::uint32_t number) {
+    const BatchInfo& info = batches_.info(number);
+    const ClusteredMesh& mesh = *scene_.objects[info.object].mesh;
+    const EngineLitObject& lit = memory_.objects[info.object];
+    const Attributes& at = shading_.resolve.attributes;
+    const auto fill = [&](const std::vector<float>(&radiance)[3], int to) {
+        fill_lit(batches_.batch(number), at.main, to,
+                 {{radiance[0].data(), radiance[1].data(), radiance[2].data()},
+                  mesh.clusters[info.cluster].first_vertex,
+                  static_cast<std::uint32_t>(mesh.x.size())});
+    };
+    // The radiance takes the place of the weights.
+    if (shading_.frame.plan.texture) fill(lit.dark, at.dark);
+    fill(lit.radiance, at.main);
+}
+
+/// The faces of a batch's triangles, straight into its rows.
+void EngineLight::light_faces(std::uint32_t number, Points& points, EventCounts& events) {
+    const BatchInfo& info = batches_.info(number);
+    const Mesh& mesh = *shading_.frame.scene.objects[info.object].mesh;
+    const EngineLitObject& lit = memory_.objects[info.object];
+    FaceArrays faces{};
+    for (int c = 0; c < 3; ++c) {
+        faces.centre[c] = lit.centre[c].data();
+        faces.normal[c] = lit.normal[c].data();
     }
-    finish(object, material, points, events);
+    faces.triangle_face = mesh.triangle_face.data();
+    faces.first_triangle = shading_.frame.plan.objects[info.object].first_triangle;
+    faces.triangle_count = std::uint32_t(mesh.triangle_count());
+    place_faces(batches_.batch(number), faces, points.at(0));
+    const auto light = [&](int row, float albedo) {
+        const auto to = [&](int c) {
+            return batches_.batch(number) + std::size_t(row + 3 * c) * batches_.lanes();
+        };
+        points.light(shading_, info.material, info.count, albedo, {to(0), to(1), to(2)}, events);
+    };
+    const Attributes& at = shading_.resolve.attributes;
+    light(at.main, 1);
+    if (shading_.frame.plan.texture) light(at.dark, 0);
 }
 
 void EngineLight::light_record(Record& r, EventCounts& events) const {
@@ -192,62 +264,66 @@ void EngineLight::fill_planes(Record& r) const {
     fill(at.dark, r.dark);
 }
 
-void EngineLight::fill(std::uint32_t number) {
-    const BatchInfo& info = batches_.info(number);
-    if (info.count == 0 || !concerns(info.object)) return;
-    const std::uint32_t lanes = batches_.lanes();
-    const auto seen = seen_triangle_.begin() + std::ptrdiff_t(number * lanes);
-    if (std::find(seen, seen + std::ptrdiff_t(lanes), 1) == seen + std::ptrdiff_t(lanes)) return;
-    const EngineLitPoints& lit = points_[info.object];
-    const Mesh& mesh = *shading_.frame.scene.objects[info.object].mesh;
-    LitFill fill{};
-    fill.shading = shading_.objects[info.object].shading;
-    for (int c = 0; c < 3; ++c) {
-        fill.radiance[c] = lit.radiance[c].data();
-        fill.dark[c] = lit.dark[c].empty() ? nullptr : lit.dark[c].data();
-    }
-    fill.first_point =
-        std::int32_t(2 * scene_.objects[info.object].mesh->clusters[info.cluster].first_vertex);
-    fill.faces = {mesh.triangle_face.data(),
-                  shading_.frame.plan.objects[info.object].first_triangle,
-                  std::uint32_t(mesh.triangle_count())};
-    fill_lit(batches_.batch(number), shading_.resolve.attributes, fill);
+/// Calls work(batch, points, events) for the batches of that shading that show anything.
+template <class Work>
+EngineLight::Counts EngineLight::each_batch(Shading shading, EventCounts& events, Work&& work) {
+    std::mutex mutex;
+    Counts counts;
+    const auto lanes = std::ptrdiff_t(batches_.lanes());
+    parallel_for(batches_.used(), 64, shading_.frame.plan.threads,
+                 [&](std::size_t begin, std::size_t end, int) {
+                     EventCounts own;
+                     Counts own_counts;
+                     Points points;
+                     for (auto b = std::uint32_t(begin); b < end; ++b) {
+                         const BatchInfo& info = batches_.info(b);
+                         if (info.count == 0 || !concerns(info.object) ||
+                             shading_.objects[info.object].shading != shading)
+                             continue;
+                         const auto shown = std::uint64_t(std::count(seen(b), seen(b) + lanes, 1));
+                         own_counts += {shown, info.count};
+                         if (shown > 0) work(b, points, own);
+                     }
+                     const std::lock_guard lock(mutex);
+                     events += own;
+                     counts += own_counts;
+                 });
+    return counts;
 }
 
 EngineLight::Counts EngineLight::light(EventCounts& events) {
-    const int threads = shading_.frame.plan.threads;
-    parallel_for(batches_.used(), 256, threads, [&](std::size_t begin, std::size_t end, int) {
-        for (std::size_t b = begin; b < end; ++b) mark_batch(std::uint32_t(b));
-    });
-    std::mutex events_mutex;
-    Counts count;
-    for (std::size_t object = 0; object < points_.size(); ++object) {
-        if (!concerns(std::uint32_t(object))) continue;
-        const bool flat = shading_.objects[object].shading == Shading::flat;
-        const std::size_t parts =
-            flat ? points_[object].needed.size() / 2 : scene_.objects[object].mesh->clusters.size();
-        parallel_for(parts, flat ? 512 : 16, threads, [&](std::size_t begin, std::size_t end, int) {
-            EventCounts own;
-            Batch<float> points;
-            points.vectors = true;
-            if (flat) light_faces(object, begin, end, points, own);
-            for (std::size_t c = begin; c < end && !flat; ++c)
-                light_cluster(object, c, points, own);
-            const std::lock_guard lock(events_mutex);
-            events += own;
-        });
-        const std::vector<std::uint8_t>& needed = points_[object].needed;
-        count.lit += std::uint64_t(std::count(needed.begin(), needed.end(), 1));
-        count.all += needed.size();
-    }
-    parallel_for(batches_.used(), 256, threads, [&](std::size_t begin, std::size_t end, int) {
-        for (std::size_t b = begin; b < end; ++b) fill(std::uint32_t(b));
-    });
+    Counts counts = each_batch(
+        Shading::flat, events,
+        [&](std::uint32_t b, Points& points, EventCounts& own) { light_faces(b, points, own); });
+    each_batch(Shading::gouraud, events,
+               [&](std::uint32_t b, Points&, EventCounts&) { mark_vertices(b); });
+    for (std::size_t object = 0; object < scene_.objects.size(); ++object)
+        if (concerns(std::uint32_t(object)) && shading_.objects[object].shading == Shading::gouraud)
+            counts += light_vertices(object, events);
+    each_batch(Shading::gouraud, events, [&](std::uint32_t b, Points&, EventCounts&) { fill(b); });
     for (std::size_t r = 0; r < records_.size(); ++r)
-        if (seen_record_[r] != 0 && concerns(records_[r].object) &&
+        if (memory_.seen_record[r] != 0 && concerns(records_[r].object) &&
             records_[r].depth != Record::Depth::scalar)
             light_record(records_[r], events);
-    return count;
+    return counts;
+}
+
+EngineLight::Counts EngineLight::light_vertices(std::size_t object, EventCounts& events) {
+    std::mutex mutex;
+    Counts counts;
+    parallel_for(scene_.objects[object].mesh->clusters.size(), 16, shading_.frame.plan.threads,
+                 [&](std::size_t begin, std::size_t end, int) {
+                     EventCounts own;
+                     Counts own_counts;
+                     Points points;
+                     for (std::size_t c = begin; c < end; ++c)
+                         own_counts += light_cluster(object, c, points, own);
+                     const std::lock_guard lock(mutex);
+                     events += own;
+                     counts += own_counts;
+                 });
+    counts.all = memory_.objects[object].needed.size();
+    return counts;
 }
 
 }  // namespace scanshade

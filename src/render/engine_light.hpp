@@ -1,4 +1,4 @@
-// Light at the vertices (Gouraud) and faces (flat) that are seen, for the vector renderer.
+// Light at the vertices (Gouraud) and faces (flat) that are drawn, for the vector renderer.
 #pragma once
 
 #include <vector>
@@ -9,27 +9,38 @@
 
 namespace scanshade {
 
-/// Lit points of one object: two a vertex slot or face, the front's and the back's.
-struct EngineLitPoints {
+/// What lighting an object's points takes; kept from frame to frame.
+struct EngineLitObject {
+    // Gouraud: [slot] seen from the front, then [slot] from behind
     std::vector<float> radiance[3], dark[3];
     std::vector<std::uint8_t> needed;
+    // flat: [face]
+    std::vector<float> centre[3], normal[3];
+};
+
+struct EngineLightMemory {
+    std::vector<EngineLitObject> objects;
+    std::vector<std::uint8_t> seen_triangle;  // [batch · lanes + lane]
+    std::vector<std::uint8_t> seen_record;
 };
 
 /// Collects what is seen, lights it once, and hands the radiance to batches and records.
 class EngineLight {
 public:
     EngineLight(const TileShading& shading, const EngineScene& scene, BatchStore& batches,
-                std::vector<Record>& records);
+                std::vector<Record>& records, EngineLightMemory& memory);
 
-    /// Nothing is seen yet. Keeps memory from frame to frame.
+    /// Nothing is seen yet.
     void reset();
     /// Notes what a complete tile shows. May run for several tiles at once.
     void see(const TileBuffer& tile);
-    /// Everything in batches is taken as seen.
+    /// Everything that set-up has kept is taken as seen.
     void see_all();
-    /// Lights all that was seen. Points: of them, and of all.
+    /// Lights all that was seen. Triangles of flat objects, vertices from both sides of the others:
+    /// those lit, and all.
     struct Counts {
         std::uint64_t lit = 0, all = 0;
+        void operator+=(const Counts& other) { lit += other.lit, all += other.all; }
     };
     Counts light(EventCounts& events);
 
@@ -39,25 +50,28 @@ public:
     }
 
 private:
-    void mark_batch(std::uint32_t number);
-    void mark(std::uint32_t object, std::size_t point);
-    void light_cluster(std::size_t object, std::size_t cluster, Batch<float>& points,
-                       EventCounts& events);
-    void light_faces(std::size_t object, std::size_t begin, std::size_t end, Batch<float>& points,
-                     EventCounts& events);
-    void finish(std::size_t object, std::uint32_t material, Batch<float>& points,
-                EventCounts& events);
-    void fill(std::uint32_t number);
+    class Points;
+    template <class Work>
+    Counts each_batch(Shading shading, EventCounts& events, Work&& work);
+    void reset_object(std::size_t object);
+    void mark_vertices(std::uint32_t batch);
+    Counts light_cluster(std::size_t object, std::size_t cluster, Points& points,
+                         EventCounts& events);
+    Counts light_vertices(std::size_t object, EventCounts& events);
+    void light_faces(std::uint32_t batch, Points& points, EventCounts& events);
+    void fill(std::uint32_t batch);
     void light_record(Record& record, EventCounts& events) const;
     void fill_planes(Record& record) const;
+
+    const std::uint8_t* seen(std::uint32_t batch) const {
+        return memory_.seen_triangle.data() + std::size_t(batch) * batches_.lanes();
+    }
 
     const TileShading& shading_;
     const EngineScene& scene_;
     BatchStore& batches_;
     std::vector<Record>& records_;
-    std::vector<EngineLitPoints> points_;      // [object]
-    std::vector<std::uint8_t> seen_triangle_;  // [batch · lanes + lane]
-    std::vector<std::uint8_t> seen_record_;
+    EngineLightMemory& memory_;
 };
 
 }  // namespace scanshade

@@ -33,6 +33,7 @@ struct Engine::State {
     std::vector<Record> records;                     // of all workers
     std::vector<std::uint32_t> first_record;         // [worker]
     std::vector<std::unique_ptr<TileBuffer>> tiles;  // where light comes between depth and samples
+    EngineLightMemory light;
 };
 
 class Engine::Pass {
@@ -92,7 +93,6 @@ private:
     std::vector<SetupObject> objects_;
     std::vector<std::vector<SetupMaterial>> materials_;  // [object][the mesh's material]
     EngineLight light_;
-    bool rastered_ = false;
 };
 
 }  // namespace scanshade

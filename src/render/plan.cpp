@@ -39,6 +39,9 @@ void plan_objects(const Scene& scene, const Settings& settings, RenderPlan& plan
         if (plan.renderer == RendererKind::simd)
             plan.clusters += clusters_of(*object.mesh).clusters.size();
         const bool drawn = object.mesh->triangle_count() > 0;
+        if (shading != Shading::phong)
+            plan.points +=
+                shading == Shading::flat ? object.mesh->face_count() : object.mesh->vertex_count();
         plan.face_light |= drawn && shading == Shading::flat;
         plan.vertex_light |= drawn && shading == Shading::gouraud;
     }

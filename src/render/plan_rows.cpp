@@ -45,9 +45,20 @@ std::string texcoords_reason(const RenderPlan& plan) {
 }
 
 bool lights_points(const RenderPlan& plan) { return plan.vertex_light || plan.face_light; }
+
+/// To know what is seen, all tiles are kept before any is lit: about what a light at every pixel
+/// costs, or at half as many points.
+bool seeing_pays(const RenderPlan& plan) {
+    const std::uint64_t pixels = std::uint64_t(plan.width) * std::uint64_t(plan.height);
+    return lights_points(plan) && 2 * plan.light_count * plan.points > pixels;
+}
 std::string points_reason(const RenderPlan& plan) {
-    return lights_points(plan) ? "only vertices and faces that some sample shows are lit"
-                               : "light is evaluated at samples";
+    if (!lights_points(plan)) return "light is evaluated at samples";
+    return seeing_pays(plan) ? "only vertices and faces that some sample shows are lit"
+                             : fmt::format(
+                                   "to light all {} vertices and faces costs less than to "
+                                   "find those that are seen",
+                                   plan.points);
 }
 
 bool some_dark(const RenderPlan& plan) { return plan.dark_lights > 0 || plan.narrow_lights > 0; }
@@ -95,7 +106,7 @@ constexpr PlanRowInfo rows[] = {
     {PlanRow::texcoords, "texture-coordinates", "planes of texture coordinates", "triangles",
      texcoords_unread, texcoords_reason},
     {PlanRow::unseen_points, "unseen-points", "light at vertices and faces that nobody sees",
-     "points", lights_points, points_reason},
+     "points", seeing_pays, points_reason},
     {PlanRow::dark_lights, "dark-lights", "lights that add exactly nothing to a tile",
      "lights in tiles", some_dark, dark_reason},
     {PlanRow::attenuation, "attenuation", "attenuation that is constant", "lights", some_constant,

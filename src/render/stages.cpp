@@ -118,10 +118,12 @@ constexpr Stage simd_stages[] = {
          return std::string("large, clipped and needle-shaped triangles, polygons drawn whole");
      },
      [](Frame& frame) { frame.engine->make_records(frame); }},
-    {"raster", "tiles", true, lights_points,
+    {"raster", "tiles", true,
+     [](const RenderPlan& plan) { return plan.leaves_out(PlanRow::unseen_points); },
      [](const RenderPlan& plan) {
-         return std::string(lights_points(plan) ? "all tiles, so that light knows what is seen"
-                                                : "done tile by tile with the shading");
+         return std::string(plan.leaves_out(PlanRow::unseen_points)
+                                ? "all tiles, so that light knows what is seen"
+                                : "done tile by tile with the shading");
      },
      [](Frame& frame) { frame.engine->raster(frame); }},
     {"light-points", "points", true, lights_points,

@@ -44,6 +44,7 @@ struct RenderPlan {
 
     // what is needed; each with the count that decides it
     std::uint64_t triangles = 0, vertices = 0, clusters = 0;
+    std::uint64_t points = 0;     // vertices of gouraud objects, faces of flat ones
     bool vertex_light = false;    // some object is gouraud
     bool face_light = false;      // some object is flat
     bool texture = false;         // some material in use has a texture
