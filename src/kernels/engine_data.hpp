@@ -66,7 +66,8 @@ inline constexpr int most_rows = row_attributes + 3 * (3 + 3 + 2 + 3);
 /// What all triangles of a batch have in common.
 struct BatchInfo {
     std::uint32_t object, cluster, material;
-    std::uint32_t count;  // triangles, the rest of the lanes is unused
+    std::uint16_t count;    // triangles, the rest of the lanes is unused
+    bool normals_disagree;  // interpolated normals may vanish
 };
 
 /// All batches of a frame. Workers take runs of them, so memory that no triangle needs is never
@@ -395,8 +396,9 @@ struct SetupMaterial {
 /// An object as set-up sees it.
 struct SetupObject {
     const ClusteredMesh* mesh;
-    const float* normal[3];  // [slot] unit, normalised world space
-    std::uint32_t index;     // of the object
+    const float* normal[3];                // [slot] unit, normalised world space
+    const std::uint8_t* normals_disagree;  // [cluster] some are a right angle apart, or more
+    std::uint32_t index;                   // of the object
     std::uint32_t first_triangle;
     float to_clip[4][4];  // rows x, y, d, w
     float to_world[3][4];

@@ -252,8 +252,7 @@ void draw_block(const RasterView& view, std::uint32_t record, int x, int y, int 
         const VecF z = depth != nullptr
                            ? hn::LoadU(tag_f, depth + at + v * N)
                            : record_depth(view, view.records[record], block_positions(x, y, v));
-        const std::uint8_t bytes[8] = {std::uint8_t(bits), std::uint8_t(bits >> 8)};
-        put(view, z, hn::LoadMaskBits(tag_f, bytes), record | record_bit, tile.depth + at + v * N,
+        put(view, z, mask_of(tag_f, bits), record | record_bit, tile.depth + at + v * N,
             tile.ref + at + v * N);
     }
 }

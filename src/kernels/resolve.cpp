@@ -75,14 +75,13 @@ private:
 
     /// The lanes whose number in `numbers` is `number`, of those pending.
     static MaskI lanes_of(VecI numbers, std::uint32_t number, std::uint32_t pending) {
-        const std::uint8_t bytes[8] = {std::uint8_t(pending), std::uint8_t(pending >> 8)};
         return hn::And(hn::Eq(numbers, hn::Set(tag_i, std::int32_t(number))),
-                       hn::LoadMaskBits(tag_i, bytes));
+                       mask_of(tag_i, pending));
     }
 
     // ---- triangles of batches
-    std::uint32_t resolve_batch(const Samples& s, VecI ref, std::uint32_t first,
-                                std::uint32_t pending) {
+    HWY_INLINE std::uint32_t resolve_batch(const Samples& s, VecI ref, std::uint32_t first,
+                                           std::uint32_t pending) {
         constexpr int shift = N == 16 ? 4 : N == 8 ? 3 : N == 4 ? 2 : N == 2 ? 1 : 0;
         const std::uint32_t number = first >> shift;
         const MaskI mask = lanes_of(hn::ShiftRight<shift>(ref), number, pending);
@@ -95,7 +94,7 @@ private:
         const BatchLookup batch(view_.raster.batches->batch(number), ref, s);
         const bool all = lanes == pending && pending == full;
         resolve_values(s, batch, view_.objects[info.object].shading, view_.materials[info.material],
-                       hn::RebindMask(tag_f, mask), all);
+                       info.normals_disagree, hn::RebindMask(tag_f, mask), all);
         add_part(s.number, lanes, info.material, view_.objects[info.object].shading);
         return lanes;
     }
@@ -139,14 +138,15 @@ private:
     };
 
     template <class Lookup>
-    void resolve_values(const Samples& s, const Lookup& batch, Shading shading,
-                        const ResolveMaterial& material, MaskF mask, bool all) {
+    HWY_INLINE void resolve_values(const Samples& s, const Lookup& batch, Shading shading,
+                                   const ResolveMaterial& material, bool normals_disagree,
+                                   MaskF mask, bool all) {
         const Attributes& at = view_.attributes;
         const VecF unscale = view_.affine ? hn::Set(tag_f, 1.0f) : s.inv_z;
         if (shading == Shading::phong && material.reads_normal) {
             VecF n[3];
             for (int c = 0; c < 3; ++c) n[c] = batch.plane(at.main + 3 * c);
-            note_zero_normals(s, n, mask);
+            if (normals_disagree) note_zero_normals(s, n, mask);
             for (int c = 0; c < 3; ++c) put(out_.normal[c], s.number, n[c], mask, all);
         }
         if (shading == Shading::phong && at.position >= 0)
@@ -205,7 +205,7 @@ private:
         }
         const bool all = lanes == pending && pending == full;
         if (r.depth == Record::Depth::plane) {
-            resolve_values(s, RecordLookup(r, s), shading, view_.materials[r.material],
+            resolve_values(s, RecordLookup(r, s), shading, view_.materials[r.material], true,
                            hn::RebindMask(tag_f, mask), all);
         } else {
             VecF w[3];

@@ -31,10 +31,25 @@ inline VecF to_float(VecI v) { return hn::ConvertTo(tag_f, v); }
 
 /// One bit a lane.
 template <class Mask, class Tag>
-std::uint32_t mask_bits(Tag tag, Mask mask) {
-    std::uint8_t bytes[8] = {};
+HWY_INLINE std::uint32_t mask_bits([[maybe_unused]] Tag tag, Mask mask) {
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+    // That is what a mask is; Highway's way leads through memory.
+    return mask.raw;
+#else
+    static_assert(N <= 8);
+    std::uint8_t bytes[8];
     hn::StoreMaskBits(tag, mask, bytes);
-    return bytes[0] | std::uint32_t(bytes[1]) << 8;
+    return bytes[0];
+#endif
+}
+template <class Tag>
+HWY_INLINE hn::Mask<Tag> mask_of([[maybe_unused]] Tag tag, std::uint32_t bits) {
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+    return {static_cast<__mmask16>(bits)};
+#else
+    const std::uint8_t bytes[8] = {std::uint8_t(bits)};
+    return hn::LoadMaskBits(tag, bytes);
+#endif
 }
 
 /// Calls visit(lane) for each lane of a mask, ascending.

@@ -37,6 +37,22 @@ ClusterBounds world_bounds(const Cluster& cluster, const glm::dmat3& linear,
     return out;
 }
 
+/// Whether two vertex normals of a cluster may be a right angle apart or more. Otherwise no
+/// interpolated normal is shorter than 1/√3: all products of Σ λ_i n_i with itself are positive.
+bool normals_disagree(const EngineObject& object, const Cluster& cluster) {
+    const auto normal = [&](std::uint32_t i) {
+        const std::uint32_t slot = cluster.first_vertex + i;
+        return glm::vec3(object.normal[0][slot], object.normal[1][slot], object.normal[2][slot]);
+    };
+    glm::vec3 sum(0);
+    for (std::uint32_t i = 0; i < cluster.vertex_count; ++i) sum += normal(i);
+    const float length = glm::length(sum);
+    for (std::uint32_t i = 0; i < cluster.vertex_count; ++i)
+        // Within 40° of one axis: within 80° of each other. Not so where something is no number.
+        if (!(glm::dot(normal(i), sum) > 0.766f * length)) return true;
+    return false;
+}
+
 EngineObject make_object(const Object& object) {
     EngineObject out{};
     out.mesh = &clusters_of(*object.mesh);
@@ -47,6 +63,8 @@ EngineObject make_object(const Object& object) {
         const glm::dvec3 n = surface.vertex_normal(v);
         for (int c = 0; c < 3; ++c) out.normal[c].push_back(float(n[c]));
     }
+    for (const Cluster& cluster : out.mesh->clusters)
+        out.normals_disagree.push_back(normals_disagree(out, cluster));
     const glm::dmat3 linear = glm::dmat3(object.to_world) * object.mesh->unit;
     const glm::dvec3 origin =
         glm::dmat3(object.to_world) * object.mesh->origin + glm::dvec3(object.to_world[3]);

@@ -20,9 +20,10 @@ struct ClusterBounds {
 
 struct EngineObject {
     const ClusteredMesh* mesh;
-    std::vector<float> normal[3];       // [slot] unit, world
-    std::vector<ClusterBounds> bounds;  // [cluster]
-    float to_world[3][4];               // of the mesh's own units
+    std::vector<float> normal[3];                // [slot] unit, world
+    std::vector<ClusterBounds> bounds;           // [cluster]
+    std::vector<std::uint8_t> normals_disagree;  // [cluster] see SetupObject
+    float to_world[3][4];                        // of the mesh's own units
 };
 
 struct EngineScene {

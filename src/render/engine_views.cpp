@@ -62,6 +62,7 @@ void Engine::Pass::make_objects() {
         SetupObject object{};
         object.mesh = engine.mesh;
         for (int c = 0; c < 3; ++c) object.normal[c] = engine.normal[c].data();
+        object.normals_disagree = engine.normals_disagree.data();
         object.index = static_cast<std::uint32_t>(i);
         object.first_triangle = frame_.plan.objects[i].first_triangle;
         for (std::size_t r = 0; r < 4; ++r)
