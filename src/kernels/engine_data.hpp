@@ -25,8 +25,10 @@ inline constexpr int tile_side = 64;  // the largest; see RasterView::tile
 inline constexpr int tile_samples = tile_side * tile_side;
 inline constexpr int tile_blocks = tile_samples / block_samples;
 
-/// A ref names what is seen at a sample: batch · lanes + lane, or with this bit a Record.
+/// A ref names what is seen at a sample: batch · lanes + lane of a triangle, or with one of these bits
+/// a Record, or batch · lanes + lane of a fragment.
 inline constexpr std::uint32_t record_bit = 0x80000000u;
+inline constexpr std::uint32_t fragment_bit = 0x40000000u;
 inline constexpr std::uint32_t no_ref = 0xffffffffu;
 
 /// Index of a tile's sample: blocks row by row, samples of a block row by row.
@@ -63,7 +65,19 @@ struct Attributes {
 
 inline constexpr int most_rows = row_attributes + 3 * (3 + 3 + 2 + 3);
 
-/// What all triangles of a batch have in common.
+/// Rows of a batch of fragments: `lanes` samples of triangles too small to be worth planes.
+enum FragmentRow : int {
+    fragment_depth,
+    fragment_at,      // uint32: index of the sample in its tile
+    fragment_id,      // uint32: the triangle in the whole scene
+    fragment_normal,  // 3: normal · z
+    fragment_rows = fragment_normal + 3,
+};
+
+/// Of one triangle.
+inline constexpr std::uint32_t most_fragments = 4;
+
+/// What all triangles or fragments of a batch have in common.
 struct BatchInfo {
     std::uint32_t object, cluster, material;
     std::uint16_t count;    // triangles, the rest of the lanes is unused
@@ -100,6 +114,11 @@ public:
     const float* batch(std::uint32_t b) const { return begin_ + b * rows_ * lanes_; }
     BatchInfo& info(std::uint32_t b) { return info_[b]; }
     const BatchInfo& info(std::uint32_t b) const { return info_[b]; }
+    /// Its memory left the nearer caches when the frame before was drawn.
+    void prefetch(std::uint32_t b) const {
+        const float* from = batch(b);
+        for (std::size_t i = 0; i < rows_ * lanes_; i += 16) __builtin_prefetch(from + i, 1);
+    }
     std::uint32_t lanes() const { return std::uint32_t(lanes_); }
     std::size_t capacity() const { return capacity_; }
     std::size_t used() const { return next_.load(std::memory_order_relaxed); }
@@ -110,6 +129,23 @@ private:
     float* begin_ = nullptr;
     std::size_t size_ = 0, info_size_ = 0, capacity_ = 0, rows_ = 0, lanes_ = 0;
     std::atomic<std::uint32_t> next_{0};
+};
+
+/// Batches that a worker takes from a store at once.
+inline constexpr std::uint32_t batches_in_run = 16;
+
+/// A worker's batches that nothing is in yet.
+struct BatchRun {
+    std::uint32_t next = 0, last = 0;
+
+    std::uint32_t fresh(BatchStore& store) {
+        if (next == last) {
+            next = store.take(batches_in_run);
+            last = next + batches_in_run;
+        }
+        store.prefetch(next + 1);
+        return next++;
+    }
 };
 
 /// A list of refs for each tile, in chunks. One worker fills it, any may read it afterwards.
@@ -203,7 +239,7 @@ struct TileBuffer {
 
 /// What drawing into a tile reads.
 struct RasterView {
-    const BatchStore* batches;
+    const BatchStore *batches, *fragments;
     const Record* records;
     int sample_x, sample_y, width, height;
     int tile;  // side of a tile in samples: 16, 32 or tile_side; a buffer's rows keep their length
@@ -218,9 +254,11 @@ struct RasterView {
 /// The triangle's number in the scene.
 inline std::uint32_t ref_id(const RasterView& view, std::uint32_t ref) {
     if ((ref & record_bit) != 0) return view.records[ref & ~record_bit].id;
-    const std::uint32_t lanes = view.batches->lanes();
-    const float* batch = view.batches->batch(ref / lanes);
-    return reinterpret_cast<const std::uint32_t*>(batch)[row_id * lanes + ref % lanes];
+    const std::uint32_t lanes = view.batches->lanes(), at = ref & ~fragment_bit;
+    const bool fragment = (ref & fragment_bit) != 0;
+    const float* batch = (fragment ? view.fragments : view.batches)->batch(at / lanes);
+    const std::uint32_t row = fragment ? std::uint32_t(fragment_id) : std::uint32_t(row_id);
+    return reinterpret_cast<const std::uint32_t*>(batch)[row * lanes + at % lanes];
 }
 
 void clear_tile(TileBuffer& tile);
@@ -231,6 +269,9 @@ void raster_small(const RasterView& view, int x, int y, const std::uint32_t* ref
                   std::uint32_t count, TileBuffer& tile);
 void raster_medium(const RasterView& view, int x, int y, const std::uint32_t* refs,
                    std::uint32_t count, TileBuffer& tile);
+/// Draws the fragments of SetupWorker::fragments.
+void raster_fragments(const RasterView& view, int x, int y, const std::uint32_t* runs,
+                      std::uint32_t count, TileBuffer& tile);
 /// Draws a record covered by edges.
 void raster_record(const RasterView& view, int x, int y, std::uint32_t record, TileBuffer& tile);
 /// Draws a record whose samples are given, a word for each row of the tile, bit 0 on the left.
@@ -366,11 +407,12 @@ void finish_writing();
 
 /// What one worker of set-up has made.
 struct SetupWorker {
-    TileLists tiny;    // refs of batches: within one block
-    TileLists small;   // within one tile and 2 × 2 blocks
-    TileLists medium;  // further
+    TileLists tiny;       // refs of batches: within one block
+    TileLists small;      // within one tile and 2 × 2 blocks
+    TileLists medium;     // further
+    TileLists fragments;  // ref of the first of some neighbours, and how many they are
     std::vector<SpecialTriangle> special;
-    std::uint32_t next_batch = 0, last_batch = 0;  // of the run taken from the store
+    BatchRun batch_run, fragment_run;  // what the worker has taken from the stores
     EventCounts events;
 };
 
@@ -403,17 +445,15 @@ struct SetupObject {
     float to_clip[4][4];  // rows x, y, d, w
     float to_world[3][4];
     bool mirrored;
+    bool fragments;  // tiny triangles may become fragments: light reads nothing but normals
     Shading shading;
     const SetupMaterial* material;  // [the mesh's material]
 };
 
-/// Batches that a worker takes from the store at once.
-inline constexpr std::uint32_t batch_run = 16;
-
 /// Transforms, culls and sets up one cluster. `cluster`: its number in the object's mesh; clip: some
 /// vertex may lie outside near, far or the guard band.
 void setup_cluster(const SetupView& view, const SetupObject& object, std::uint32_t cluster,
-                   bool clip, BatchStore& store, SetupWorker& worker);
+                   bool clip, BatchStore& batches, BatchStore& fragments, SetupWorker& worker);
 
 /// Numbers in a vector of the instruction set in use; at most 16.
 int vector_lanes();

@@ -144,6 +144,26 @@ void draw_tiny(const RasterView& view, int x, int y, const std::uint32_t* refs, 
     }
 }
 
+void draw_fragments(const RasterView& view, int x, int y, const std::uint32_t* runs,
+                    std::uint32_t count, TileBuffer& tile) {
+    write_all(view, x, y, tile);
+    for (std::uint32_t i = 0; i < count; i += 2) {
+        const std::uint32_t first = runs[i] % std::uint32_t(N);
+        const float* depth = view.fragments->batch(runs[i] / std::uint32_t(N));
+        const auto* at = reinterpret_cast<const std::uint32_t*>(depth) + fragment_at * N;
+        const std::uint32_t* id = at + (fragment_id - fragment_at) * N;
+        for (std::uint32_t k = first; k < first + runs[i + 1]; ++k) {
+            float& there = tile.depth[at[k]];
+            std::uint32_t& ref = tile.ref[at[k]];
+            if (!(depth[k] > there) &&
+                !(depth[k] == there && (ref == no_ref || ref_id(view, ref) > id[k])))
+                continue;
+            there = depth[k];
+            ref = fragment_bit | (runs[i] + k - first);
+        }
+    }
+}
+
 void draw_small(const RasterView& view, int x, int y, const std::uint32_t* refs,
                 std::uint32_t count, TileBuffer& tile) {
     write_all(view, x, y, tile);
@@ -389,6 +409,7 @@ SCANSHADE_TARGET_END;
 namespace scanshade {
 
 HWY_EXPORT(draw_tiny);
+HWY_EXPORT(draw_fragments);
 HWY_EXPORT(draw_small);
 HWY_EXPORT(draw_medium);
 HWY_EXPORT(draw_record);
@@ -412,6 +433,10 @@ void raster_small(const RasterView& view, int x, int y, const std::uint32_t* ref
 void raster_medium(const RasterView& view, int x, int y, const std::uint32_t* refs,
                    std::uint32_t count, TileBuffer& tile) {
     HWY_DYNAMIC_DISPATCH(draw_medium)(view, x, y, refs, count, tile);
+}
+void raster_fragments(const RasterView& view, int x, int y, const std::uint32_t* runs,
+                      std::uint32_t count, TileBuffer& tile) {
+    HWY_DYNAMIC_DISPATCH(draw_fragments)(view, x, y, runs, count, tile);
 }
 void raster_record(const RasterView& view, int x, int y, std::uint32_t record, TileBuffer& tile) {
     HWY_DYNAMIC_DISPATCH(draw_record)(view, x, y, record, tile);

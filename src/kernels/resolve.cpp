@@ -67,8 +67,9 @@ private:
         while (pending != 0) {
             const std::uint32_t first = tile_.ref[at + __builtin_ctz(pending)];
             const std::uint32_t lanes =
-                pending & ((first & record_bit) != 0 ? resolve_record(s, ref, first, pending)
-                                                     : resolve_batch(s, ref, first, pending));
+                pending & ((first & record_bit) != 0     ? resolve_record(s, ref, first, pending)
+                           : (first & fragment_bit) != 0 ? resolve_fragments(s, ref, first, pending)
+                                                         : resolve_batch(s, ref, first, pending));
             pending &= ~lanes;
         }
     }
@@ -82,9 +83,8 @@ private:
     // ---- triangles of batches
     HWY_INLINE std::uint32_t resolve_batch(const Samples& s, VecI ref, std::uint32_t first,
                                            std::uint32_t pending) {
-        constexpr int shift = N == 16 ? 4 : N == 8 ? 3 : N == 4 ? 2 : N == 2 ? 1 : 0;
-        const std::uint32_t number = first >> shift;
-        const MaskI mask = lanes_of(hn::ShiftRight<shift>(ref), number, pending);
+        const std::uint32_t number = first >> lane_shift;
+        const MaskI mask = lanes_of(hn::ShiftRight<lane_shift>(ref), number, pending);
         const std::uint32_t lanes = mask_bits(tag_i, mask);
         const BatchInfo& info = view_.raster.batches->info(number);
         if (view_.objects[info.object].scalar) {
@@ -96,6 +96,27 @@ private:
         resolve_values(s, batch, view_.objects[info.object].shading, view_.materials[info.material],
                        info.normals_disagree, hn::RebindMask(tag_f, mask), all);
         add_part(s.number, lanes, info.material, view_.objects[info.object].shading);
+        return lanes;
+    }
+
+    // ---- fragments
+    HWY_INLINE std::uint32_t resolve_fragments(const Samples& s, VecI ref, std::uint32_t first,
+                                               std::uint32_t pending) {
+        const std::uint32_t number = (first & ~fragment_bit) >> lane_shift;
+        const MaskI mask = lanes_of(hn::ShiftRight<lane_shift>(ref), first >> lane_shift, pending);
+        const std::uint32_t lanes = mask_bits(tag_i, mask);
+        const BatchInfo& info = view_.raster.fragments->info(number);
+        if (view_.materials[info.material].reads_normal) {
+            const float* rows = view_.raster.fragments->batch(number) + fragment_normal * N;
+            const auto lane = hn::IndicesFromVec(tag_f, hn::And(ref, hn::Set(tag_i, N - 1)));
+            VecF n[3];
+            for (int c = 0; c < 3; ++c)
+                n[c] = hn::TableLookupLanes(hn::Load(tag_f, rows + c * N), lane);
+            const MaskF mask_f = hn::RebindMask(tag_f, mask);
+            if (info.normals_disagree) note_zero_normals(s, n, mask_f);
+            for (int c = 0; c < 3; ++c) put(out_.normal[c], s.number, n[c], mask_f, lanes == full);
+        }
+        add_part(s.number, lanes, info.material, Shading::phong);
         return lanes;
     }
 
@@ -338,6 +359,7 @@ private:
     }
 
     static constexpr std::uint32_t full = (1u << N) - 1;
+    static constexpr int lane_shift = N == 16 ? 4 : N == 8 ? 3 : N == 4 ? 2 : N == 2 ? 1 : 0;
     const ResolveView& view_;
     const int x_, y_;
     const TileBuffer& tile_;

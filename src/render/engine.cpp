@@ -63,7 +63,8 @@ void Engine::Pass::reset_workers() {
         worker.setup.small.reset(tile_count());
         worker.setup.medium.reset(tile_count());
         worker.setup.special.clear();
-        worker.setup.next_batch = worker.setup.last_batch = 0;
+        worker.setup.fragments.reset(tile_count());
+        worker.setup.batch_run = worker.setup.fragment_run = {};
         worker.setup.events = {};
         worker.records.reset(tile_count());
         worker.events = {};
@@ -75,13 +76,16 @@ void Engine::Pass::reset_workers() {
 
 void Engine::Pass::reset_batches() {
     const auto lanes = static_cast<std::uint32_t>(vector_lanes());
-    std::size_t most = 0;
+    // Runs that workers leave unfinished, and what they fetch early.
+    const std::size_t spare = batches_in_run * state_.workers.size() + 1;
+    std::size_t batches = spare, fragments = spare;
     for (const EngineObject& object : state_.scene.objects)
-        for (const Cluster& cluster : object.mesh->clusters)
-            most += (cluster.triangle_count + lanes - 1) / lanes;
-    // Runs that workers leave unfinished.
-    most += batch_run * state_.workers.size();
-    state_.batches.reset(most, setup_.attributes.rows, int(lanes));
+        for (const Cluster& cluster : object.mesh->clusters) {
+            batches += (cluster.triangle_count + lanes - 1) / lanes;
+            fragments += (most_fragments * cluster.triangle_count + lanes - 1) / lanes;
+        }
+    state_.batches.reset(batches, setup_.attributes.rows, int(lanes));
+    state_.fragments.reset(fragments, fragment_rows, int(lanes));
 }
 
 void Engine::Pass::set_up() {
@@ -99,7 +103,7 @@ void Engine::Pass::set_up() {
     }
     for (const EngineWorker& worker : state_.workers) {
         // What is left of the run that the worker took.
-        for (std::uint32_t b = worker.setup.next_batch; b < worker.setup.last_batch; ++b)
+        for (std::uint32_t b = worker.setup.batch_run.next; b < worker.setup.batch_run.last; ++b)
             state_.batches.info(b).count = 0;
         frame_.items += worker.triangles;
     }
@@ -128,7 +132,7 @@ void Engine::Pass::set_up_cluster(std::size_t object, std::size_t number, Engine
     save(PlanRow::texcoords, !material.store_texcoords, triangles);
     worker.triangles += cluster.triangle_count;
     setup_cluster(setup_, objects_[object], static_cast<std::uint32_t>(number), clip,
-                  state_.batches, worker.setup);
+                  state_.batches, state_.fragments, worker.setup);
 }
 
 /// In `edges`, faces of more than three corners are drawn whole.
@@ -178,7 +182,8 @@ bool Engine::Pass::left_empty(std::size_t tile) const {
     return leaves_out(PlanRow::empty_tiles) &&
            std::all_of(state_.workers.begin(), state_.workers.end(), [&](const EngineWorker& w) {
                return w.setup.tiny.empty(tile) && w.setup.small.empty(tile) &&
-                      w.setup.medium.empty(tile) && w.records.lists.empty(tile);
+                      w.setup.medium.empty(tile) && w.setup.fragments.empty(tile) &&
+                      w.records.lists.empty(tile);
            });
 }
 
@@ -291,6 +296,10 @@ void Engine::Pass::raster_tile(std::size_t number, int x, int y, TileBuffer& til
     for (const EngineWorker& worker : state_.workers)
         worker.setup.small.each(number, [&](const std::uint32_t* refs, std::uint32_t count) {
             raster_small(view, x, y, refs, count, tile);
+        });
+    for (const EngineWorker& worker : state_.workers)
+        worker.setup.fragments.each(number, [&](const std::uint32_t* runs, std::uint32_t count) {
+            raster_fragments(view, x, y, runs, count, tile);
         });
     complete_tile(view, x, y, tile);
 }

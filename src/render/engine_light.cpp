@@ -103,8 +103,6 @@ void EngineLight::reset_object(std::size_t object) {
 // ---- what is seen
 
 void EngineLight::see(const TileBuffer& tile) {
-    // Without a branch: whether a neighbour shows the same triangle is as good as chance.
-    std::uint8_t nothing = 0;
     for (int s = 0; s < TileBuffer::subtiles; ++s) {
         if (!tile.written[s]) continue;
         for (int i = 0; i < subtile_samples; ++i) {
@@ -112,10 +110,11 @@ void EngineLight::see(const TileBuffer& tile) {
             const std::uint32_t ref =
                 tile.ref[(row * (tile_side / block_side) + column) * block_samples +
                          i % block_samples];
-            if (ref == no_ref || (ref & record_bit) == 0)
-                note(ref == no_ref ? nothing : memory_.seen_triangle[ref]);
-            else
+            if (ref == no_ref || (ref & fragment_bit) != 0) continue;
+            if ((ref & record_bit) != 0)
                 note(memory_.seen_record[ref & ~record_bit]);
+            else
+                note(memory_.seen_triangle[ref]);
         }
     }
 }

@@ -29,7 +29,7 @@ struct Engine::State {
 
     EngineScene scene;
     std::vector<EngineWorker> workers;
-    BatchStore batches;
+    BatchStore batches, fragments;
     std::vector<Record> records;                     // of all workers
     std::vector<std::uint32_t> first_record;         // [worker]
     std::vector<std::unique_ptr<TileBuffer>> tiles;  // where light comes between depth and samples

@@ -70,6 +70,8 @@ void Engine::Pass::make_objects() {
         for (int r = 0; r < 3; ++r)
             std::copy(engine.to_world[r], engine.to_world[r] + 4, object.to_world[r]);
         object.mirrored = view.mirrored;
+        object.fragments = shading == Shading::phong && setup_.attributes.position < 0 &&
+                           !shading_.objects[i].scalar;
         object.shading = shading;
         objects_.push_back(object);
     }
@@ -79,9 +81,9 @@ void Engine::Pass::make_objects() {
 void Engine::Pass::make_resolve_view() {
     ResolveView& resolve = shading_.resolve;
     const View& view = frame_.view;
-    resolve.raster = {&state_.batches, nullptr,          frame_.sample.x, frame_.sample.y,
-                      view.width,      view.height,      tile_,           view.near,
-                      view.far,        view.orthographic};
+    resolve.raster = {&state_.batches, &state_.fragments, nullptr,          frame_.sample.x,
+                      frame_.sample.y, view.width,        view.height,      tile_,
+                      view.near,       view.far,          view.orthographic};
     resolve.attributes = setup_.attributes;
     resolve.affine = setup_.affine;
     resolve.sample_spacing = 1.0f / static_cast<float>(frame_.plan.samples_side);

@@ -1,0 +1,252 @@
+// The geometry of N triangles on the picture, as set-up computes it: corners, boxes of samples, edge
+// functions and planes.
+#if defined(SCANSHADE_KERNELS_SETUP_GEOMETRY_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef SCANSHADE_KERNELS_SETUP_GEOMETRY_HPP
+#undef SCANSHADE_KERNELS_SETUP_GEOMETRY_HPP
+#else
+#define SCANSHADE_KERNELS_SETUP_GEOMETRY_HPP
+#endif
+
+#include "kernels/engine_data.hpp"
+#include "kernels/screen_plane.hpp"
+#include "kernels/vectors.hpp"
+
+SCANSHADE_TARGET_BEGIN;
+
+/// A cluster's vertices on the picture.
+struct ClusterVertices {
+    alignas(64) std::int32_t x[max_cluster_vertices];  // 1/256 pixel
+    alignas(64) std::int32_t y[max_cluster_vertices];
+    alignas(64) float depth[max_cluster_vertices];
+    alignas(64) std::int32_t outcode[max_cluster_vertices];
+};
+
+/// A cluster on its way through set-up.
+struct ClusterContext {
+    const SetupView& view;
+    const SetupObject& object;
+    std::uint32_t number;
+    const Cluster& cluster;
+    const SetupMaterial& material;
+    ClusterVertices vertices;
+
+    BatchInfo batch_info(std::uint32_t count) const {
+        return {object.index, number, material.material, std::uint16_t(count),
+                object.normals_disagree[number] != 0};
+    }
+};
+
+/// The corners of N triangles.
+struct Corners {
+    VecI packed, local[3], x[3], y[3];
+};
+
+inline VecI box_first(VecI least, int sample) {
+    return hn::ShiftRight<8>(hn::Add(least, hn::Set(tag_i, 255 - sample)));
+}
+inline VecI box_last(VecI most, int sample) {
+    return hn::ShiftRight<8>(hn::Sub(most, hn::Set(tag_i, sample)));
+}
+
+/// The samples that the triangles' boxes hold, clipped to the picture.
+struct Boxes {
+    VecI x0, y0, x1, y1;
+    VecI side_x, side_y;  // before clipping, 1/256 pixel
+};
+
+inline Boxes boxes_of(const Corners& c, const SetupView& view) {
+    const VecI zero = hn::Zero(tag_i);
+    const VecI lx = hn::Min(c.x[0], hn::Min(c.x[1], c.x[2]));
+    const VecI hx = hn::Max(c.x[0], hn::Max(c.x[1], c.x[2]));
+    const VecI ly = hn::Min(c.y[0], hn::Min(c.y[1], c.y[2]));
+    const VecI hy = hn::Max(c.y[0], hn::Max(c.y[1], c.y[2]));
+    return {hn::Max(zero, box_first(lx, view.sample_x)),
+            hn::Max(zero, box_first(ly, view.sample_y)),
+            hn::Min(hn::Set(tag_i, view.width - 1), box_last(hx, view.sample_x)),
+            hn::Min(hn::Set(tag_i, view.height - 1), box_last(hy, view.sample_y)),
+            hn::Sub(hx, lx),
+            hn::Sub(hy, ly)};
+}
+
+inline Corners fetch(const ClusterVertices& vertices, VecI packed) {
+    Corners c;
+    c.packed = packed;
+    const VecI local = hn::Set(tag_i, max_cluster_vertices - 1);
+    c.local[0] = hn::And(packed, local);
+    c.local[1] = hn::And(hn::ShiftRight<corner_bits>(packed), local);
+    c.local[2] = hn::And(hn::ShiftRight<2 * corner_bits>(packed), local);
+    for (int k = 0; k < 3; ++k) {
+        c.x[k] = hn::GatherIndex(tag_i, vertices.x, c.local[k]);
+        c.y[k] = hn::GatherIndex(tag_i, vertices.y, c.local[k]);
+    }
+    return c;
+}
+
+/// Twice the area, with its sign.
+inline VecI area2(const Corners& c) {
+    return hn::Sub(hn::Mul(hn::Sub(c.x[1], c.x[0]), hn::Sub(c.y[2], c.y[0])),
+                   hn::Mul(hn::Sub(c.x[2], c.x[0]), hn::Sub(c.y[1], c.y[0])));
+}
+
+/// Edge functions of N triangles, those of the edge from corner k to the next.
+struct Edges {
+    VecI A[3], B[3];
+    VecI c[3];       // at the box's first sample, 1/256 pixel²
+    VecI inside[3];  // ⌊(c − bias)/256⌋: ≥ 0 where the sample is inside
+};
+
+inline Edges edges_of(const Corners& c, const Boxes& box, const SetupView& view) {
+    Edges e;
+    const VecI zero = hn::Zero(tag_i);
+    const VecI px = hn::Add(hn::ShiftLeft<8>(box.x0), hn::Set(tag_i, view.sample_x));
+    const VecI py = hn::Add(hn::ShiftLeft<8>(box.y0), hn::Set(tag_i, view.sample_y));
+    for (int k = 0; k < 3; ++k) {
+        const int j = (k + 1) % 3;
+        e.A[k] = hn::Sub(c.y[k], c.y[j]);
+        e.B[k] = hn::Sub(c.x[j], c.x[k]);
+        e.c[k] =
+            hn::Add(hn::Mul(e.A[k], hn::Sub(px, c.x[k])), hn::Mul(e.B[k], hn::Sub(py, c.y[k])));
+        const MaskI top_left =
+            hn::Or(hn::Gt(e.A[k], zero), hn::And(hn::Eq(e.A[k], zero), hn::Gt(e.B[k], zero)));
+        const VecI biased = hn::Sub(e.c[k], hn::IfThenZeroElse(top_left, hn::Set(tag_i, 1)));
+        e.inside[k] = hn::ShiftRight<8>(biased);
+    }
+    return e;
+}
+
+/// Depth as a plane, in double from corners in the order of (y, x): coincident triangles have
+/// the same bits, whichever corner their file names first.
+inline ScreenPlane<Lanes> depth_plane(const Corners& c, const VecF (&depth)[3], VecI ox, VecI oy,
+                                      const SetupView& view) {
+    VecI x[3] = {c.x[0], c.x[1], c.x[2]}, y[3] = {c.y[0], c.y[1], c.y[2]};
+    VecF z[3] = {depth[0], depth[1], depth[2]};
+    const auto order = [&](int a, int b) HWY_ATTR {
+        const MaskI swap =
+            hn::Or(hn::Gt(y[a], y[b]), hn::And(hn::Eq(y[a], y[b]), hn::Gt(x[a], x[b])));
+        const MaskF swap_f = hn::RebindMask(tag_f, swap);
+        const VecI xa = x[a], ya = y[a];
+        const VecF za = z[a];
+        x[a] = hn::IfThenElse(swap, x[b], xa), x[b] = hn::IfThenElse(swap, xa, x[b]);
+        y[a] = hn::IfThenElse(swap, y[b], ya), y[b] = hn::IfThenElse(swap, ya, y[b]);
+        z[a] = hn::IfThenElse(swap_f, z[b], za), z[b] = hn::IfThenElse(swap_f, za, z[b]);
+    };
+    order(0, 1), order(1, 2), order(0, 1);
+
+    alignas(64) std::int32_t px[3][N], py[3][N], origin_x[N], origin_y[N];
+    alignas(64) float pz[3][N], out[3][N];
+    for (int k = 0; k < 3; ++k) {
+        hn::Store(x[k], tag_i, px[k]);
+        hn::Store(y[k], tag_i, py[k]);
+        hn::Store(z[k], tag_f, pz[k]);
+    }
+    hn::Store(hn::Add(hn::ShiftLeft<8>(ox), hn::Set(tag_i, view.sample_x)), tag_i, origin_x);
+    hn::Store(hn::Add(hn::ShiftLeft<8>(oy), hn::Set(tag_i, view.sample_y)), tag_i, origin_y);
+    for (int i = 0; i < N; i += N64) {
+        const Lanes64 corner_x[3] = {widen(px[0] + i), widen(px[1] + i), widen(px[2] + i)};
+        const Lanes64 corner_y[3] = {widen(py[0] + i), widen(py[1] + i), widen(py[2] + i)};
+        const Lanes64 corner_z[3] = {widen(pz[0] + i), widen(pz[1] + i), widen(pz[2] + i)};
+        const ScreenPlane<Lanes64> plane =
+            plane_through(corner_x, corner_y, corner_z, widen(origin_x + i), widen(origin_y + i));
+        store_narrow(plane.c, out[0] + i);
+        store_narrow(plane.x, out[1] + i);
+        store_narrow(plane.y, out[2] + i);
+    }
+    return {Lanes(hn::Load(tag_f, out[0])), Lanes(hn::Load(tag_f, out[1])),
+            Lanes(hn::Load(tag_f, out[2]))};
+}
+
+/// Everything about N triangles that batches and fragments are made of. Planes count pixels from
+/// (ox, oy), the first sample of the block that the box begins in.
+struct Triangles {
+    Corners corners;
+    Boxes box;
+    Edges edges;
+    VecI ox, oy, area;
+    VecF z[3];
+    ScreenPlane<Lanes> depth;
+};
+
+inline Triangles triangles_of(const ClusterVertices& vertices, VecI packed, const SetupView& view) {
+    Triangles t;
+    t.corners = fetch(vertices, packed);
+    t.box = boxes_of(t.corners, view);
+    t.edges = edges_of(t.corners, t.box, view);
+    t.ox = hn::And(t.box.x0, hn::Set(tag_i, ~3));
+    t.oy = hn::And(t.box.y0, hn::Set(tag_i, ~3));
+    t.area = area2(t.corners);
+    for (int k = 0; k < 3; ++k) t.z[k] = hn::GatherIndex(tag_f, vertices.depth, t.corners.local[k]);
+    t.depth = depth_plane(t.corners, t.z, t.ox, t.oy, view);
+    return t;
+}
+
+/// Where planes serve; the other triangles are the driver's.
+inline MaskI planes_serve_of(const Triangles& t, const SetupView& view) {
+    const Lanes nearest_far(hn::Min(t.z[0], hn::Min(t.z[1], t.z[2])));
+    return hn::RebindMask(
+        tag_i, planes_serve(t.depth, nearest_far, Lanes(to_float(t.area)),
+                            Lanes(to_float(hn::Sub(t.box.x1, t.ox))),
+                            Lanes(to_float(hn::Sub(t.box.y1, t.oy))), Lanes(to_float(t.box.side_x)),
+                            Lanes(to_float(t.box.side_y)), Lanes(view.steepest))
+                   .m);
+}
+
+/// The weights λ_i of the corners as planes, times z_i where values travel in perspective.
+struct Weights {
+    ScreenPlane<Lanes> of[3];
+};
+
+inline Weights weights_of(const Triangles& t, bool affine) {
+    const VecI back_x = hn::Sub(t.ox, t.box.x0), back_y = hn::Sub(t.oy, t.box.y0);
+    const VecF per_area = hn::Div(hn::Set(tag_f, 1.0f), to_float(t.area));
+    const VecF per_pixel = hn::Mul(per_area, hn::Set(tag_f, 256.0f));
+    Weights w;
+    for (int k = 0; k < 3; ++k) {
+        const int corner = (k + 2) % 3;  // opposite to the edge
+        VecF c = hn::Mul(to_float(t.edges.c[k]), per_area);
+        VecF x = hn::Mul(to_float(t.edges.A[k]), per_pixel);
+        VecF y = hn::Mul(to_float(t.edges.B[k]), per_pixel);
+        c = hn::MulAdd(x, to_float(back_x), hn::MulAdd(y, to_float(back_y), c));
+        if (!affine) {
+            c = hn::Mul(c, t.z[corner]);
+            x = hn::Mul(x, t.z[corner]);
+            y = hn::Mul(y, t.z[corner]);
+        }
+        w.of[corner] = {Lanes(c), Lanes(x), Lanes(y)};
+    }
+    return w;
+}
+
+/// Σ a_i · (plane of corner i's weight).
+inline ScreenPlane<Lanes> weighted_plane(const VecF (&a)[3], const Weights& w) {
+    const auto sum = [&](Lanes ScreenPlane<Lanes>::*part) HWY_ATTR {
+        return Lanes(
+            hn::MulAdd(a[0], (w.of[0].*part).v,
+                       hn::MulAdd(a[1], (w.of[1].*part).v, hn::Mul(a[2], (w.of[2].*part).v))));
+    };
+    return {sum(&ScreenPlane<Lanes>::c), sum(&ScreenPlane<Lanes>::x), sum(&ScreenPlane<Lanes>::y)};
+}
+
+/// Seen from behind, normals are negated: the weights with the triangle's sign.
+inline Weights turned_weights(const Corners& c, const Weights& w) {
+    const MaskI back =
+        hn::Ne(hn::And(c.packed, hn::Set(tag_i, std::int32_t(back_bit))), hn::Zero(tag_i));
+    const Lanes side(
+        hn::IfThenElse(hn::RebindMask(tag_f, back), hn::Set(tag_f, -1.0f), hn::Set(tag_f, 1.0f)));
+    Weights turned;
+    for (int k = 0; k < 3; ++k)
+        turned.of[k] = {w.of[k].c * side, w.of[k].x * side, w.of[k].y * side};
+    return turned;
+}
+
+/// Each triangle's number in the scene.
+inline VecI triangle_ids(const ClusterContext& of, VecI packed) {
+    const VecI at =
+        hn::And(hn::ShiftRight<number_shift>(packed), hn::Set(tag_i, 2 * max_cluster_vertices - 1));
+    const VecI in_mesh =
+        hn::GatherIndex(tag_i, as_int(&of.object.mesh->triangle[of.cluster.first_triangle]), at);
+    return hn::Add(in_mesh, hn::Set(tag_i, std::int32_t(of.object.first_triangle)));
+}
+
+SCANSHADE_TARGET_END;
+
+#endif
