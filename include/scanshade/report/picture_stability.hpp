@@ -15,38 +15,40 @@
 
 namespace scanshade {
 
-/// What a picture must keep to, besides what all must: no NaN or Inf, and the same triangle at
-/// every sample in every renderer.
+/// What a picture must keep to, besides what all must: no NaN or Inf, the same triangle at every
+/// sample in every renderer, and geometry within what rounding can come to.
 struct PictureBounds {
-    int levels = 1;            // largest difference of a byte from scalar-f64
-    std::uint64_t beyond = 0;  // pixels that may differ by more than one level
-    double displacement = 1;   // of a vertex, or of an edge beside a sample, in 1/256 pixel
-    std::string reason = "";   // for what is not the default
+    int levels = 1;                // largest difference of a byte from scalar-f64
+    std::uint64_t beyond = 0;      // pixels that may differ by more than one level
+    double displacement = 1;       // 1/256 pixel: of a vertex, and of edges beside moved samples
+    std::uint64_t mistaken = 0;    // samples at which rounded depth chooses another triangle
+    std::string_view reason = {};  // for what is not the default
 };
 
 /// One renderer's picture of a scene, against that of scalar-f64.
 struct RendererResult {
-    std::string renderer;           // "scalar-f32", "simd avx2", ...
-    std::uint64_t not_finite = 0;   // samples whose radiance or depth is NaN or Inf, and those
-                                    // drawn black instead
-    std::uint64_t other_id = 0;     // samples that show another triangle
-    std::uint64_t other_depth = 0;  // samples whose depth has other bits
-    int levels = 0;                 // largest difference of a byte
-    std::uint64_t differing = 0;    // pixels with any difference
-    std::uint64_t beyond = 0;       // pixels with a difference of more than one level
-    EventCounts events;             // of this frame
+    std::string renderer;          // "scalar-f32", "simd avx2", ...
+    std::uint64_t not_finite = 0;  // samples of a radiance or depth that is NaN or Inf, and those
+                                   // that were drawn black instead
+    std::uint64_t other_id = 0;    // samples that show another triangle, or at another depth
+    int levels = 0;                // largest difference of a byte
+    std::uint64_t differing = 0;   // pixels with any difference
+    std::uint64_t beyond = 0;      // pixels with a difference of more than one level
+    EventCounts events;            // of the frame
 };
 
-/// The geometry of a picture against transform, clip and projection in double without snapping.
-/// Distances are in 1/256 pixel.
+/// The geometry that all renderers share against transform, clip and projection in double without
+/// snapping: one sample a pixel, triangles, both sides.
 struct GeometryResult {
-    std::uint64_t vertices = 0;   // that were compared: between near and far, in the guard band
-    double displacement = 0;      // the largest of a vertex
-    double rounding_bound = 0;    // what rounding to float and snapping may come to at most
-    std::uint64_t samples = 0;    // that any triangle covers
-    std::uint64_t moved = 0;      // samples that some triangle covers in one of the two only
-    std::uint64_t uncovered = 0;  // of these: covered by nothing in one of the two
-    double edge_distance = 0;     // largest distance of such a sample from the exact edge
+    std::uint64_t vertices = 0;  // that were compared: between near and far, in the guard band
+    double displacement = 0;     // 1/256 pixel, the largest of a vertex
+    std::uint64_t samples = 0;   // that some triangle covers
+    std::uint64_t moved = 0;     // samples that some triangle covers in one of the two only
+    std::uint64_t opened = 0;    // of these: with nothing there in one of the two
+    double edge_distance = 0;    // 1/256 pixel, the largest of such a sample from the exact edge
+    double bound_share = 0;      // the largest share of any displacement or distance in what
+                                 // rounding can come to there; not above 1
+    std::uint64_t mistaken = 0;  // other samples at which another triangle is nearest
 };
 
 /// A scene in all renderers.
