@@ -80,7 +80,7 @@ void add_geometry(const PictureStability& pictures, Page& page) {
 void add_reasons(const PictureStability& pictures, Page& page) {
     std::vector<std::vector<Cell>> rows;
     for (const PictureCaseResult& c : pictures.cases) {
-        if (c.bounds.reason.empty()) continue;
+        if (c.bounds.reason == PictureBounds{}.reason) continue;
         rows.push_back({{c.name, "whole"}, {std::string(c.bounds.reason)}});
     }
     page.table({"case", "why its bounds are wider than the others'"}, rows);
