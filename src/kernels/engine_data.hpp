@@ -208,6 +208,7 @@ struct Record {
     } depth;
     bool affine;  // values travel linearly on the picture
     bool back;
+    bool normals_disagree;  // interpolated normals may vanish
     std::uint32_t id, object, material, triangle;
     int x0, y0, x1, y1;                            // samples that it may cover, both ends included
     int origin_x, origin_y;                        // of the planes
@@ -235,6 +236,8 @@ struct TileBuffer {
     std::uint32_t owner[subtiles];                // no_ref: nothing yet
     bool written[subtiles];                       // depth and ref hold the subtile
     float nearest[subtiles], farthest[subtiles];  // bounds of the depths of its samples
+
+    bool shows(int subtile) const { return written[subtile] || owner[subtile] != no_ref; }
 };
 
 /// What drawing into a tile reads.
@@ -245,6 +248,8 @@ struct RasterView {
     int tile;  // side of a tile in samples: 16, 32 or tile_side; a buffer's rows keep their length
     float near, far;
     bool orthographic;
+    /// Nothing reads depths and refs of a subtile that one record covers: resolve asks the record.
+    bool leaves_owned;
     /// Whether the tiles of this size have that subtile.
     bool has_subtile(int subtile) const {
         return (subtile % 4) * subtile_side < tile && (subtile / 4) * subtile_side < tile;
@@ -278,8 +283,8 @@ void raster_record(const RasterView& view, int x, int y, std::uint32_t record, T
 /// depth: [tile_index] of Depth::scalar, else null.
 void raster_rows(const RasterView& view, int x, int y, std::uint32_t record,
                  const std::uint64_t (&rows)[tile_side], const float* depth, TileBuffer& tile);
-/// Writes the subtiles that one record owns, so that their depths and refs can be read. What is not
-/// written afterwards is empty.
+/// Writes the subtiles that one record owns, so that their depths and refs can be read, except for
+/// those that resolve can do without. What has neither an owner nor been written afterwards is empty.
 void complete_tile(const RasterView& view, int x, int y, TileBuffer& tile);
 
 // ---- light at vertices and faces

@@ -130,8 +130,13 @@ void write_all(const RasterView& view, int tile_x, int tile_y, TileBuffer& tile)
 }
 
 void write_owned(const RasterView& view, int tile_x, int tile_y, TileBuffer& tile) {
-    for (int s = 0; s < TileBuffer::subtiles; ++s)
-        if (tile.owner[s] != no_ref) write_subtile(view, tile_x, tile_y, s, tile);
+    for (int s = 0; s < TileBuffer::subtiles; ++s) {
+        if (tile.written[s] || tile.owner[s] == no_ref) continue;
+        const Record& owner = view.records[tile.owner[s] & ~record_bit];
+        if (view.leaves_owned && owner.depth == Record::Depth::plane && !owner.normals_disagree)
+            continue;
+        write_subtile(view, tile_x, tile_y, s, tile);
+    }
 }
 
 void draw_tiny(const RasterView& view, int x, int y, const std::uint32_t* refs, std::uint32_t count,

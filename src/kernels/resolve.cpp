@@ -37,6 +37,8 @@ public:
         out_.parts.clear();
         out_.open.clear();
         const int sx = (subtile % 4) * subtile_side, sy = (subtile / 4) * subtile_side;
+        if (!tile_.written[subtile])
+            return resolve_owned(sx, sy, view_.raster.records[tile_.owner[subtile] & ~record_bit]);
         for (int row = 0; row < subtile_side; row += block_side)
             for (int column = 0; column < subtile_side; column += block_side)
                 for (int v = 0; v < block_samples / N; ++v)
@@ -44,6 +46,27 @@ public:
     }
 
 private:
+    /// Rows of a record's planes: the same at every sample.
+    class RecordLookup {
+    public:
+        RecordLookup(const Record& record, const Samples& s) : rows_(record.rows) {
+            x_ = hn::Sub(s.x, row(row_origin_x));
+            y_ = hn::Sub(s.y, row(row_origin_y));
+        }
+        VecF row(int r) const { return hn::Set(tag_f, rows_[r]); }
+        VecF plane(int r) const {
+            return hn::MulAdd(row(r + 1), x_, hn::MulAdd(row(r + 2), y_, row(r)));
+        }
+        /// Depth, with the bits of the scalar renderers.
+        VecF at(const ScreenPlane<Lanes>& depth) const {
+            return plane_value(depth, Lanes(x_), Lanes(y_)).v;
+        }
+
+    private:
+        const float* rows_;
+        VecF x_, y_;
+    };
+
     void resolve_vector(int column, int row, int v) {
         const int at = tile_index(column, row) + v * N;
         const VecI ref = hn::Load(tag_i, as_int(tile_.ref + at));
@@ -71,6 +94,32 @@ private:
                            : (first & fragment_bit) != 0 ? resolve_fragments(s, ref, first, pending)
                                                          : resolve_batch(s, ref, first, pending));
             pending &= ~lanes;
+        }
+    }
+
+    /// A subtile that a planar record covers alone.
+    void resolve_owned(int sx, int sy, const Record& r) {
+        const float* depth = r.rows + row_depth;
+        const ScreenPlane<Lanes> plane = {Lanes(depth[0]), Lanes(depth[1]), Lanes(depth[2])};
+        const VecF one = hn::Set(tag_f, 1.0f);
+        const MaskF every = hn::Eq(one, one);
+        const Shading shading = view_.objects[r.object].shading;
+        for (int i = 0; i < subtile_samples; i += N) {
+            const int block = i / block_samples, v = i % block_samples / N;
+            const int column = sx + block % 4 * block_side, row = sy + block / 4 * block_side;
+            Samples s;
+            s.number = out_.vectors++;
+            out_.tile_at[s.number] = std::uint16_t(tile_index(column, row) + v * N);
+            store(out_.counted, s.number, one);
+            s.at = block_positions(x_ + column, y_ + row, v);
+            s.x = to_float(s.at.x), s.y = to_float(s.at.y);
+            const RecordLookup values(r, s);
+            s.z = values.at(plane);
+            s.inv_z = reciprocal(Lanes(s.z)).v;
+            if (view_.position_from_depth) recover_position(s);
+            resolve_values(s, values, shading, view_.materials[r.material], false, every, true);
+            first_part_ = out_.parts.size();
+            add_part(s.number, full, r.material, shading);
         }
     }
 
@@ -119,23 +168,6 @@ private:
         add_part(s.number, lanes, info.material, Shading::phong);
         return lanes;
     }
-
-    /// Rows of a record's planes: the same at every sample.
-    class RecordLookup {
-    public:
-        RecordLookup(const Record& record, const Samples& s) : rows_(record.rows) {
-            x_ = hn::Sub(s.x, row(row_origin_x));
-            y_ = hn::Sub(s.y, row(row_origin_y));
-        }
-        VecF row(int r) const { return hn::Set(tag_f, rows_[r]); }
-        VecF plane(int r) const {
-            return hn::MulAdd(row(r + 1), x_, hn::MulAdd(row(r + 2), y_, row(r)));
-        }
-
-    private:
-        const float* rows_;
-        VecF x_, y_;
-    };
 
     /// Rows of a batch at the triangles of the samples.
     class BatchLookup {
@@ -226,8 +258,8 @@ private:
         }
         const bool all = lanes == pending && pending == full;
         if (r.depth == Record::Depth::plane) {
-            resolve_values(s, RecordLookup(r, s), shading, view_.materials[r.material], true,
-                           hn::RebindMask(tag_f, mask), all);
+            resolve_values(s, RecordLookup(r, s), shading, view_.materials[r.material],
+                           r.normals_disagree, hn::RebindMask(tag_f, mask), all);
         } else {
             VecF w[3];
             record_weights(s, r, w);

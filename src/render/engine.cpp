@@ -53,6 +53,7 @@ Engine::Pass::Pass(State& state, Frame& frame)
     make_objects();
     make_resolve_view();
     make_lights();
+    shading_.resolve.raster.leaves_owned = leaves_owned();
 }
 
 // ---- set-up

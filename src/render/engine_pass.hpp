@@ -53,6 +53,8 @@ private:
     void make_objects();
     void make_resolve_view();
     void make_lights();
+    void drop_dark_lights();
+    bool leaves_owned() const;
     bool position_from_depth() const;
 
     // set-up

@@ -43,7 +43,7 @@ std::uint64_t TileShader::shade(int x, int y, const TileBuffer& tile) {
     for (int s = 0; s < TileBuffer::subtiles; ++s) {
         if (!shading_.resolve.raster.has_subtile(s)) continue;
         const int sx = x + (s % 4) * subtile_side, sy = y + (s / 4) * subtile_side;
-        if (!tile.written[s]) {
+        if (!tile.shows(s)) {
             write_background(shading_.frame.picture, sx, sy, subtile_side, subtile_side);
             continue;
         }

@@ -81,9 +81,9 @@ void Engine::Pass::make_objects() {
 void Engine::Pass::make_resolve_view() {
     ResolveView& resolve = shading_.resolve;
     const View& view = frame_.view;
-    resolve.raster = {&state_.batches, &state_.fragments, nullptr,          frame_.sample.x,
-                      frame_.sample.y, view.width,        view.height,      tile_,
-                      view.near,       view.far,          view.orthographic};
+    resolve.raster = {&state_.batches, &state_.fragments, nullptr,           frame_.sample.x,
+                      frame_.sample.y, view.width,        view.height,       tile_,
+                      view.near,       view.far,          view.orthographic, false};
     resolve.attributes = setup_.attributes;
     resolve.affine = setup_.affine;
     resolve.sample_spacing = 1.0f / static_cast<float>(frame_.plan.samples_side);
@@ -120,10 +120,25 @@ void Engine::Pass::make_lights() {
         std::any_of(lights.begin(), lights.end(), [](const LightTerm<float>& light) {
             return !light.touches && light.emission != LightEmission::uniform;
         });
-    if (!leaves_out(PlanRow::dark_lights)) return;
+    if (leaves_out(PlanRow::dark_lights)) drop_dark_lights();
+}
+
+void Engine::Pass::drop_dark_lights() {
+    std::vector<LightTerm<float>>& lights = shading_.lighting.lit.lights;
     std::erase_if(lights, [](const LightTerm<float>& light) {
         return light.irradiance[0] == 0 && light.irradiance[1] == 0 && light.irradiance[2] == 0;
     });
+}
+
+/// Whether nobody but resolve asks what a subtile shows that one record covers.
+bool Engine::Pass::leaves_owned() const {
+    const bool lights_ask = shading_.aimed_lights || shading_.tolerance.radiance > 0 ||
+                            leaves_out(PlanRow::unseen_points);
+    // Values that only the scalar functions know are asked for by refs.
+    const bool values_ask = (frame_.plan.texture && setup_.affine) ||
+                            std::any_of(shading_.objects.begin(), shading_.objects.end(),
+                                        [](const ResolveObject& object) { return object.scalar; });
+    return frame_.picture.id == nullptr && !lights_ask && !values_ask;
 }
 
 }  // namespace scanshade

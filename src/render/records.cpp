@@ -152,6 +152,11 @@ void RecordMaker::describe_values(Record& r) const {
         r.texcoord[i][0] = mesh.u[v];
         r.texcoord[i][1] = mesh.v[v];
     }
+    for (int i = 0; i < 3; ++i) {
+        const float *a = r.main[i], *b = r.main[(i + 1) % 3];
+        // Not so where something is no number.
+        r.normals_disagree |= !(a[0] * b[0] + a[1] * b[1] + a[2] * b[2] > 0.1f);
+    }
     if (r.depth != Record::Depth::plane) return;
     const auto planes = [&](int row, int count, auto&& value) {
         for (int c = 0; c < count && row >= 0; ++c)
