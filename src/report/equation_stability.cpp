@@ -18,9 +18,9 @@ constexpr std::size_t points = 241;
 
 using Sweeps = std::span<const EquationSweep>;
 
-std::array<Sweeps, 5> chapters() {
-    return {direction_sweeps(), reflection_sweeps(), microfacet_sweeps(), shading_sweeps(),
-            raycast_sweeps()};
+std::array<Sweeps, 6> chapters() {
+    return {direction_sweeps(),  reflection_sweeps(), microfacet_sweeps(),
+            oren_nayar_sweeps(), shading_sweeps(),    raycast_sweeps()};
 }
 
 /// Numbers of a float: the same in each type.
@@ -63,20 +63,16 @@ void add_point(const EquationSweep& sweep, SweptFn<R> form, bool ours, double x,
 }
 
 SweepResult measure(const EquationSweep& sweep) {
-    SweepResult result{std::string(sweep.number),
-                       std::string(sweep.title),
-                       std::string(sweep.variable),
-                       std::string(sweep.choice),
-                       std::string(sweep.because),
-                       sweep.misprint,
-                       sweep.spacing != Spacing::linear,
-                       points_of(sweep),
-                       {},
-                       0,
-                       SweepErrors{},
-                       SweepErrors{},
-                       {},
-                       {}};
+    SweepResult result{};
+    result.number = sweep.number;
+    result.title = sweep.title;
+    result.variable = sweep.variable;
+    result.choice = sweep.choice;
+    result.because = sweep.because;
+    result.misprint = sweep.misprint;
+    result.logarithmic = sweep.spacing != Spacing::linear;
+    result.printed_f32 = result.printed_f64 = SweepErrors{};
+    result.x = points_of(sweep);
     for (const double x : result.x) {
         const double condition = condition_at(sweep, x), bound = sweep.bound(x, condition);
         result.condition = std::max(result.condition, condition);
@@ -101,22 +97,20 @@ void add_fault(const SweepResult& sweep, std::string_view type, const SweepError
 
 }  // namespace
 
-std::size_t equation_sweep_count() {
-    std::size_t count = model_sweep_count();
-    for (const Sweeps& chapter : chapters()) count += chapter.size();
-    return count;
-}
-
-EquationStability measure_equation_stability(Steps& steps) {
+EquationStability measure_equation_stability(const Watch& watch) {
+    Steps steps{watch};
+    steps.all = model_sweep_count();
+    for (const Sweeps& chapter : chapters()) steps.all += chapter.size();
     EquationStability result;
     for (const Sweeps& chapter : chapters())
         for (const EquationSweep& sweep : chapter) {
-            if (steps.watch.stopped()) return result;
+            if (watch.stopped()) break;
             steps.tell(fmt::format("{} {}", sweep.number, sweep.title));
             result.equations.push_back(measure(sweep));
             ++steps.done;
         }
     result.models = measure_models(steps);
+    result.partial = steps.done < steps.all;
     return result;
 }
 

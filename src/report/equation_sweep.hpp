@@ -63,6 +63,7 @@ struct EquationSweep {
 std::span<const EquationSweep> direction_sweeps();
 std::span<const EquationSweep> reflection_sweeps();
 std::span<const EquationSweep> microfacet_sweeps();
+std::span<const EquationSweep> oren_nayar_sweeps();
 std::span<const EquationSweep> shading_sweeps();
 std::span<const EquationSweep> raycast_sweeps();
 

@@ -160,6 +160,7 @@ SweepResult measure(const Variant& variant, const Axis& axis) {
     result.because = "the error that the model states, and that of each rounded cosine";
     result.misprint = printed && printed->misprint;
     result.logarithmic = true;
+    result.plotted = variant.choice == nullptr;
     if (printed) result.printed_f32 = result.printed_f64 = SweepErrors{};
     result.x = swept ? points_between(swept->min, swept->max) : points_between(1e-8, 1.57);
     for (const double x : result.x) {

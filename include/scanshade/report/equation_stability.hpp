@@ -7,6 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "scanshade/report/document.hpp"
+#include "scanshade/report/page.hpp"
+#include "scanshade/report/plot.hpp"
 #include "scanshade/report/watch.hpp"
 
 namespace scanshade {
@@ -31,6 +34,7 @@ struct SweepResult {
     std::string because;   // why the bound is as it is
     bool misprint;         // the printed form is wrong, whatever the arithmetic
     bool logarithmic;      // how to plot x
+    bool plotted = true;   // a plot of its own, besides the row of the table
     std::vector<double> x;
     std::vector<double> bound;  // of our form, in ulp, a point
     double condition;           // the largest along the sweep
@@ -43,17 +47,29 @@ struct SweepResult {
 };
 
 struct EquationStability {
+    bool partial = false;  // stopped before everything was measured
     std::vector<SweepResult> equations;
-    std::vector<SweepResult> models;
+    std::vector<SweepResult> models;  // of the registry, along with their choices
 
     /// One sentence for each bound that is broken.
     std::vector<std::string> faults() const;
 };
 
-/// Sweeps that measure_equation_stability() makes: what it adds to the steps.
-std::size_t equation_sweep_count();
+/// Takes about a second. Stops between two sweeps when asked to.
+EquationStability measure_equation_stability(const Watch& watch);
 
-/// Takes well under a second. Stops between two sweeps when asked to.
-EquationStability measure_equation_stability(Steps& steps);
+/// What was found, in a few sentences.
+std::string equation_verdict(const EquationStability& equations);
+
+/// "name" and "rows" of equations and models, for report_json and report_csv: a row for each form
+/// in each type of number, axis "equations" or "models".
+Json equation_scenes_json(const EquationStability& equations);
+
+/// The error along each sweep, to be drawn into the report's folder.
+std::vector<Plot> equation_plots(const EquationStability& equations);
+
+/// The sections about equations and models: a table, and a figure of each plot where they were
+/// drawn.
+void add_equation_sections(const EquationStability& equations, bool plots_drawn, Page& page);
 
 }  // namespace scanshade
