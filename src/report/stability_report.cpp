@@ -1,5 +1,7 @@
 #include "scanshade/report/stability_report.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -8,6 +10,19 @@
 namespace scanshade {
 namespace {
 
+/// What the report comes to, equations first.
+std::string verdict(const StabilityReport& report) {
+    const std::size_t faults = report.pictures.faults().size(),
+                      cases = report.pictures.cases.size();
+    const std::string pictures =
+        faults == 0 ? fmt::format(
+                          "All {} hard scenes keep what they are held to, in every renderer "
+                          "and on every instruction set.",
+                          cases)
+                    : fmt::format("{} bounds of {} hard scenes are broken.", faults, cases);
+    return equation_verdict(report.equations) + " " + pictures;
+}
+
 std::string page_text(const StabilityReport& report, bool drawn) {
     Page page(
         "Stability",
@@ -15,39 +30,48 @@ std::string page_text(const StabilityReport& report, bool drawn) {
         "their extremes, angles that graze, lengths that cancel, scenes that are huge, tiny, "
         "far away or broken.");
     const std::vector<std::string> faults = report.faults();
-    page.verdict(equation_verdict(report.equations), faults.empty());
+    page.verdict(verdict(report), faults.empty());
     if (report.partial)
         page.notice(
             "This report is partial: the measurement was interrupted, and equations and scenes "
             "are missing.");
     for (const std::string& fault : faults) page.notice("Fault: " + fault);
     add_equation_sections(report.equations, drawn, page);
+    add_picture_section(report.pictures, drawn, page);
     page.sources(report.provenance, {"report.json", "stability.csv"});
     return page.text();
 }
 
 }  // namespace
 
-std::vector<std::string> StabilityReport::faults() const { return equations.faults(); }
+std::vector<std::string> StabilityReport::faults() const {
+    std::vector<std::string> all = equations.faults();
+    for (std::string& fault : pictures.faults()) all.push_back(std::move(fault));
+    return all;
+}
 
-StabilityReport measure_stability(const std::vector<ReportInput>&, const Settings& settings,
-                                  const Watch& watch) {
+StabilityReport measure_stability(const std::vector<ReportInput>& scenes, const Settings& settings,
+                                  const Watch& watch, const MakeDrawing& make) {
     StabilityReport report;
     report.provenance = provenance(settings, 0);
     report.equations = measure_equation_stability(watch);
-    report.partial = report.equations.partial;
+    report.pictures = measure_picture_stability(scenes, watch, make);
+    report.partial = report.equations.partial || report.pictures.partial;
     return report;
 }
 
 std::vector<std::string> write_stability_report(const StabilityReport& report,
                                                 const std::string& folder) {
     const std::filesystem::path path(folder);
-    const Json scenes = equation_scenes_json(report.equations);
+    Json scenes = equation_scenes_json(report.equations);
+    for (Json& scene : picture_scenes_json(report.pictures)) scenes.push_back(std::move(scene));
     write_file(report_json("stability", report.provenance, report.partial, scenes),
                path / "report.json");
     write_file(report_csv(scenes), path / "stability.csv");
+    write_pictures(report.pictures, folder);
+    std::vector<Plot> plots = equation_plots(report.equations);
+    for (Plot& plot : picture_plots(report.pictures)) plots.push_back(std::move(plot));
     std::vector<std::string> warnings;
-    const std::vector<Plot> plots = equation_plots(report.equations);
     if (std::string reason = draw_plots(plots, folder); !reason.empty())
         warnings.push_back(std::move(reason));
     write_file(page_text(report, warnings.empty()), path / "index.html");
