@@ -149,3 +149,34 @@ TEST_CASE("(B20) Oren-Nayar is defined at the pole and bounded at grazing angles
     for (const float c : {1e-3f, 1e-8f, 1e-30f})
         CHECK(oren_nayar_f_cos(white, k, c, c, 1.0f).r <= 0.35f);  // f_r itself is tan 90°
 }
+
+TEST_CASE("(B20) white facets give back at most 1.52 % more than they get", "[eq]") {
+    // ∫ f_r cosθ_i dω_i for ρ = 1; grazing views gain most, up to A + B/2.
+    const auto albedo = [](double sigma, double theta_o) {
+        constexpr int n = 500;
+        const OrenNayarCoefficients<double> k = oren_nayar_coefficients(sigma);
+        double sum = 0;
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; j < n; ++j) {
+                const double theta_i = (i + 0.5) * pi / 2 / n, dphi = (j + 0.5) * pi / n;
+                const double s = std::sin(theta_i) * std::sin(theta_o) * std::cos(dphi);
+                sum += oren_nayar_f_cos(Rgb<double>{1, 1, 1}, k, std::cos(theta_i),
+                                        std::cos(theta_o), s)
+                           .r *
+                       std::sin(theta_i);
+            }
+        return sum * 2 * (pi / 2 / n) * (pi / n);
+    };
+    double largest = 0;
+    for (const double sigma : {0.1, 0.1985, 0.3, 1.5})
+        for (const double theta_o : {0.0, 0.8, 1.2, 1.5, 1.57}) {
+            const OrenNayarCoefficients<double> k = oren_nayar_coefficients(sigma);
+            CHECK(albedo(sigma, theta_o) <= k.A + k.B / 2 + 1e-5);
+            largest = std::max(largest, albedo(sigma, theta_o));
+        }
+    CHECK(largest == Approx(1.0152).epsilon(1e-4));
+    for (double sigma = 0; sigma <= 1.57; sigma += 1e-4) {
+        const OrenNayarCoefficients<double> k = oren_nayar_coefficients(sigma);
+        CHECK(k.A + k.B / 2 < 1.01518);
+    }
+}
