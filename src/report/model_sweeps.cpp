@@ -16,30 +16,32 @@ namespace {
 constexpr std::size_t points = 161;
 
 /// Light and viewer in a plane with the normal, by their elevation; the viewer across the normal.
-Cosines<long double> across(long double light, long double viewer) {
+Cosines<long double> across(double light_angle, double viewer_angle) {
+    const auto light = static_cast<long double>(light_angle);
+    const auto viewer = static_cast<long double>(viewer_angle);
     const Vec3<long double> up = {0, 0, 1};
     const Vec3<long double> wi = {std::cos(light), 0, std::sin(light)};
     const Vec3<long double> wo = {-std::cos(viewer), 0, std::sin(viewer)};
     return cosines(up, wi, wo);
 }
 
-constexpr long double elsewhere = 0.875L;  // elevation of what is not swept
+constexpr double elsewhere = 0.875;  // elevation of what is not swept
 
 /// What is swept: `width` is the angle of the half vector at which the highlight has fallen off.
 struct Axis {
     std::string_view title, variable;
     bool of_parameter;  // else of directions, from 1e-8 rad to the normal
-    Cosines<long double> (*at)(long double x, long double width);
+    Cosines<long double> (*at)(double x, double width);
 };
 constexpr Axis axes[] = {
     {"side of the highlight", "", true,
-     [](long double, long double width) { return across(elsewhere, elsewhere + width); }},
+     [](double, double width) { return across(elsewhere, elsewhere + width); }},
     {"light from the surface up", "elevation of ω_i, rad", false,
-     [](long double x, long double) { return across(x, elsewhere); }},
+     [](double x, double) { return across(x, elsewhere); }},
     {"seen from the surface up", "elevation of ω_o, rad", false,
-     [](long double x, long double) { return across(elsewhere, x); }},
+     [](double x, double) { return across(elsewhere, x); }},
     {"mirrored, from the surface up", "elevation of both, rad", false,
-     [](long double x, long double) { return across(x, x); }},
+     [](double x, double) { return across(x, x); }},
 };
 
 /// A model with one choice other than the standard one, or none.
@@ -96,7 +98,7 @@ std::vector<double> points_between(double low, double high) {
 }
 
 /// The angle of the half vector at which a highlight of this exponent or roughness has fallen off.
-long double width_of(const ParamInfo& param, double value) {
+double width_of(const ParamInfo& param, double value) {
     const double m = param.role == ParamRole::exponent ? std::sqrt(2 / (value + 2)) : value;
     return std::min(m, 0.5);
 }
@@ -164,7 +166,7 @@ SweepResult measure(const Variant& variant, const Axis& axis) {
     if (printed) result.printed_f32 = result.printed_f64 = SweepErrors{};
     result.x = swept ? points_between(swept->min, swept->max) : points_between(1e-8, 1.57);
     for (const double x : result.x) {
-        const long double width = swept ? width_of(*swept, x) : 0;
+        const double width = swept ? width_of(*swept, x) : 0;
         measure_point(variant, printed, variant.params(swept, x), axis.at(x, width), x, result);
     }
     return result;

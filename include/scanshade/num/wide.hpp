@@ -17,8 +17,9 @@ struct Wide {
 
     Wide() = default;
     explicit Wide(Quad x) : value(x) {}
-    explicit Wide(double x) : value(x) {}
-    explicit Wide(int x) : value(x) {}
+    explicit Wide(float x) : value(static_cast<Quad>(x)) {}
+    explicit Wide(double x) : value(static_cast<Quad>(x)) {}
+    explicit Wide(int x) : value(static_cast<Quad>(x)) {}
     explicit operator double() const { return static_cast<double>(value); }
 };
 
