@@ -129,6 +129,7 @@ DEMO_NEEDS := g++:c++ libglm-dev:glm/vec3.hpp libtinyobjloader-dev:tiny_obj_load
 TEST_NEEDS := $(DEMO_NEEDS) catch2:catch2/catch.hpp,catch2/catch_all.hpp libsdl2-dev:SDL2/SDL.h \
               pkg-config:pkg-config python3:python3 clang-format:clang-format xvfb:Xvfb \
               xdotool:xdotool x11-apps:xwd imagemagick:convert \
+              libboost-dev:boost/multiprecision/cpp_int.hpp \
               assimp-testmodels:/usr/share/assimp/models gnuplot-nox:gnuplot
 BENCH_NEEDS := $(DEMO_NEEDS) libosmesa6-dev:GL/osmesa.h libembree-dev:embree3/rtcore.h
 REPORT_NEEDS := $(DEMO_NEEDS) gnuplot-nox:gnuplot

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "report/picture_files.hpp"
@@ -119,6 +120,12 @@ plot 'data' using 3:1:ytic(2) with points linetype 1 title 'displacement of a ve
      'data' using 5:1 with points linetype 3 title 'bound'
 )";
 
+/// A long name would take the plot's room.
+std::string short_name(const std::string& name) {
+    constexpr std::size_t most = 28;
+    return name.size() <= most ? name : clean_text(name.substr(0, most - 1)) + "…";
+}
+
 int largest_levels(const PictureCaseResult& result, bool simd) {
     int most = 0;
     for (const RendererResult& r : result.renderers)
@@ -139,18 +146,19 @@ std::vector<Plot> picture_plots(const PictureStability& pictures) {
     if (pictures.cases.empty()) return {};
     Plot levels = cases_plot(pictures, levels_plot, levels_script);
     Plot moved = cases_plot(pictures, geometry_plot, geometry_script);
-    // Logarithmic axes have no 0.
+    // Logarithmic axes have no 0; what is not a number gets no point.
+    constexpr double no_point = std::numeric_limits<double>::quiet_NaN();
     const auto level = [](int n) { return std::max(double(n), 0.5); };
-    const auto distance = [](double d) { return std::clamp(d, 0.001, 1e6); };
+    const auto distance = [](double d) { return std::isfinite(d) ? std::max(d, 0.001) : no_point; };
     double y = 0;
     for (const PictureCaseResult& result : pictures.cases) {
         const GeometryResult& g = result.geometry;
-        levels.data.number(y).text(result.name);
+        levels.data.number(y).text(short_name(result.name));
         levels.data.number(level(largest_levels(result, true)))
             .number(level(largest_levels(result, false)))
             .number(level(result.bounds.levels))
             .end_line();
-        moved.data.number(y).text(result.name);
+        moved.data.number(y).text(short_name(result.name));
         moved.data.number(distance(g.displacement))
             .number(distance(g.edge_distance))
             .number(distance(result.bounds.displacement))

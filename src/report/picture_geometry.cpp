@@ -79,16 +79,10 @@ private:
     }
 
     void measure_object() {
-        const Object& object = given_.objects[object_];
-        const Mesh& mesh = *object.mesh;
-        eye_.clear(), rounding_.clear();
-        for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
-            const glm::dvec3 local(mesh.x[v], mesh.y[v], mesh.z[v]);
-            const glm::dvec4 world =
-                object.to_world * glm::dvec4(mesh.origin + mesh.unit * local, 1);
-            eye_.push_back(camera_.to_eye(glm::dvec3(world)));
-            measure_vertex(v);
-        }
+        const Mesh& mesh = *given_.objects[object_].mesh;
+        eye_ = reference_vertices(camera_, given_.objects[object_]);
+        rounding_.clear();
+        for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) measure_vertex(v);
         for (std::uint32_t t = 0; t < mesh.triangle_count(); ++t)
             measure_triangle(mesh.triangle[t], plan_.objects[object_].first_triangle + t);
     }
@@ -106,7 +100,7 @@ private:
         const VertexState& state = frame_.vertices[object_][v];
         Rounding rounding{magnitudes(0), magnitudes(1), camera_.orthographic ? 0 : magnitudes(3)};
         rounding.least_w = double(state.clip.w);
-        const glm::dvec2 exact = camera_.to_picture(eye_.back());
+        const glm::dvec2 exact = camera_.to_picture(eye_[v]);
         rounding.picture_x = std::abs(exact.x - camera_.width / 2.0);
         rounding.picture_y = std::abs(exact.y - camera_.height / 2.0);
         rounding_.push_back(rounding);
@@ -153,9 +147,12 @@ private:
             for (int x = box.x0; x <= box.x1; ++x) {
                 while (span != next_ && (span->y < y || (span->y == y && span->end <= x))) ++span;
                 const bool covered = span != next_ && span->y == y && span->begin <= x;
-                const double distance = polygon.distance({x + 0.5, y + 0.5});
-                compare_sample(target_.index(x, y), covered, distance, bound);
-                if (distance > 0) see({x, y}, id, normal, offset);
+                const glm::dvec2 sample(x + 0.5, y + 0.5);
+                const double inside = polygon.line_distance(sample);
+                if (inside < -undecided && !covered) continue;
+                const double distance = polygon.outline_distance(sample);
+                compare_sample(target_.index(x, y), covered, inside > 0, distance, bound);
+                if (inside > 0) see({x, y}, id, normal, offset);
             }
     }
 
@@ -173,19 +170,21 @@ private:
             box.y1 = std::max(box.y1, std::min(pixel(y1, camera_.height), camera_.height - 1));
         };
         glm::dvec2 low(infinite), high(-infinite);
-        for (const glm::dvec2& p : polygon.corner) low = glm::min(low, p), high = glm::max(high, p);
-        if (!polygon.corner.empty()) add(low.x, low.y, high.x, high.y);
+        for (const glm::dvec2& p : polygon.corners())
+            low = glm::min(low, p), high = glm::max(high, p);
+        if (!polygon.corners().empty()) add(low.x, low.y, high.x, high.y);
         for (auto s = begin; s != next_; ++s) add(s->begin, s->y, s->end - 1, s->y);
         return box;
     }
 
-    void compare_sample(std::size_t sample, bool covered, double distance, double bound) {
+    void compare_sample(std::size_t sample, bool covered, bool inside, double distance,
+                        double bound) {
         covered_[sample] = covered_[sample] || covered;
-        reference_covered_[sample] = reference_covered_[sample] || distance > 0;
-        if (std::abs(distance) <= undecided) at_edge_[sample] = true;
-        if (covered == (distance > 0) || std::abs(distance) <= undecided) return;
+        reference_covered_[sample] = reference_covered_[sample] || inside;
+        at_edge_[sample] = at_edge_[sample] || distance <= undecided;
+        if (covered == inside || distance <= undecided) return;
         moved_[sample] = true;
-        const double moved = std::abs(distance) * subpixels;
+        const double moved = distance * subpixels;
         result_.edge_distance = std::max(result_.edge_distance, moved);
         result_.bound_share = std::max(result_.bound_share, moved / bound);
     }

@@ -77,13 +77,15 @@ void add_geometry(const PictureStability& pictures, Page& page) {
                rows);
 }
 
-void add_reasons(const PictureStability& pictures, Page& page) {
+/// What each case is about, and why its bounds are wider than the others'.
+void add_cases(const PictureStability& pictures, Page& page) {
     std::vector<std::vector<Cell>> rows;
     for (const PictureCaseResult& c : pictures.cases) {
-        if (c.bounds.reason.empty()) continue;
-        rows.push_back({{c.name, "whole"}, {std::string(c.bounds.reason)}});
+        const bool usual = c.bounds.reason == PictureBounds{}.reason;
+        rows.push_back(
+            {{c.name, "whole"}, {c.difficulty}, {usual ? "" : std::string(c.bounds.reason)}});
     }
-    page.table({"case", "why its bounds are wider than the others'"}, rows);
+    page.table({"case", "what is hard about it", "why its bounds are wider"}, rows);
 }
 
 }  // namespace
@@ -96,13 +98,14 @@ void add_picture_section(const PictureStability& pictures, bool plots_drawn, Pag
         "renderer on every instruction set of this machine. All must show the same triangle at the "
         "same depth at every sample, and no NaN or Inf; colours may differ from those of "
         "scalar-f64 "
-        "by one level of 255, and by more only in the cases that the last table names with the "
+        "by one level of 255, and by more only in the cases that the table names with the "
         "reason.");
     std::vector<Figure> figures;
     for (const PictureCaseResult& c : pictures.cases)
-        figures.push_back({picture_file(pictures, c),
-                           c.difficulty.empty() ? c.name : c.name + ": " + c.difficulty});
+        figures.push_back({picture_file(pictures, c), c.name});
     page.figures(figures);
+    add_cases(pictures, page);
+    page.paragraph(fmt::format("The other bounds: {}.", PictureBounds{}.reason));
     if (plots_drawn)
         page.figures({{levels_plot, "Differences of colour, the largest of each case."},
                       {geometry_plot, "Differences of geometry, the largest of each case."}});
@@ -119,7 +122,6 @@ void add_picture_section(const PictureStability& pictures, bool plots_drawn, Pag
         "in one of the two. Mistaken are other samples, at which another triangle is nearest in "
         "double. Distances are in 1/256 pixel.");
     add_geometry(pictures, page);
-    add_reasons(pictures, page);
 }
 
 }  // namespace scanshade

@@ -68,15 +68,43 @@ ReferenceCamera reference_camera(const Scene& scene, const Settings& settings) {
     return out;
 }
 
-double ReferencePolygon::distance(const glm::dvec2& p) const {
-    double nearest = infinite;
-    bool inside = corner.size() >= 3;
-    for (std::size_t i = 0; i < corner.size(); ++i) {
-        const glm::dvec2 &a = corner[i], &b = corner[(i + 1) % corner.size()];
-        nearest = std::min(nearest, segment_distance(a, b, p));
-        if (turn * cross(b - a, p - a) < 0) inside = false;
+std::vector<glm::dvec3> reference_vertices(const ReferenceCamera& camera, const Object& object) {
+    const Mesh& mesh = *object.mesh;
+    std::vector<glm::dvec3> eye;
+    for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+        const glm::dvec3 local(mesh.x[v], mesh.y[v], mesh.z[v]);
+        const glm::dvec4 world = object.to_world * glm::dvec4(mesh.origin + mesh.unit * local, 1);
+        eye.push_back(camera.to_eye(glm::dvec3(world)));
     }
-    return inside ? nearest : -nearest;
+    return eye;
+}
+
+ReferencePolygon::ReferencePolygon(std::vector<glm::dvec2> corners) {
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        if (corners[i] != corners[(i + 1) % corners.size()]) corner_.push_back(corners[i]);
+    double area = 0;
+    for (std::size_t i = 2; i < corner_.size(); ++i)
+        area += cross(corner_[i - 1] - corner_[0], corner_[i] - corner_[0]);
+    if (area == 0) corner_.clear();
+    for (std::size_t i = 0; i < corner_.size(); ++i) {
+        const glm::dvec2 along = corner_[(i + 1) % corner_.size()] - corner_[i];
+        const glm::dvec2 left(-along.y, along.x);
+        inward_.push_back(left / std::copysign(glm::length(left), area));
+    }
+}
+
+double ReferencePolygon::line_distance(const glm::dvec2& p) const {
+    double least = corner_.empty() ? -infinite : infinite;
+    for (std::size_t i = 0; i < corner_.size(); ++i)
+        least = std::min(least, glm::dot(p - corner_[i], inward_[i]));
+    return least;
+}
+
+double ReferencePolygon::outline_distance(const glm::dvec2& p) const {
+    double least = infinite;
+    for (std::size_t i = 0; i < corner_.size(); ++i)
+        least = std::min(least, segment_distance(corner_[i], corner_[(i + 1) % corner_.size()], p));
+    return least;
 }
 
 ReferencePolygon reference_polygon(const ReferenceCamera& camera,
@@ -84,15 +112,9 @@ ReferencePolygon reference_polygon(const ReferenceCamera& camera,
     std::vector<glm::dvec3> corners(triangle.begin(), triangle.end());
     corners = kept_part(corners, [&](const glm::dvec3& eye) { return eye.z - camera.near; });
     corners = kept_part(corners, [&](const glm::dvec3& eye) { return camera.far - eye.z; });
-    ReferencePolygon polygon;
-    double area = 0;
-    for (const glm::dvec3& eye : corners) polygon.corner.push_back(camera.to_picture(eye));
-    for (std::size_t i = 2; i < polygon.corner.size(); ++i)
-        area +=
-            cross(polygon.corner[i - 1] - polygon.corner[0], polygon.corner[i] - polygon.corner[0]);
-    polygon.turn = area < 0 ? -1 : 1;
-    if (area == 0) polygon.corner.clear();
-    return polygon;
+    std::vector<glm::dvec2> on_picture;
+    for (const glm::dvec3& eye : corners) on_picture.push_back(camera.to_picture(eye));
+    return ReferencePolygon(std::move(on_picture));
 }
 
 }  // namespace scanshade

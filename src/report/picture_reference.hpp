@@ -27,20 +27,32 @@ struct ReferenceCamera {
 
 ReferenceCamera reference_camera(const Scene& scene, const Settings& settings);
 
-/// A convex polygon on the picture, in pixels: what near and far leave of a triangle.
-struct ReferencePolygon {
-    std::vector<glm::dvec2> corner;
-    double turn = 1;  // −1: corners run anticlockwise on the picture
+/// An object's vertices in eye space.
+std::vector<glm::dvec3> reference_vertices(const ReferenceCamera& camera, const Object& object);
 
-    /// Pixels to the nearest point of the outline; above 0 inside.
-    double distance(const glm::dvec2& p) const;
+/// A convex polygon on the picture, in pixels: what near and far leave of a triangle.
+class ReferencePolygon {
+public:
+    /// Nothing but an empty polygon where there is no area.
+    explicit ReferencePolygon(std::vector<glm::dvec2> corners);
+
+    const std::vector<glm::dvec2>& corners() const { return corner_; }
+    /// Pixels to the nearest of the lines along the edges; above 0 inside, where it is the distance
+    /// from the outline. Outside it is no more than that.
+    double line_distance(const glm::dvec2& p) const;
+    /// Pixels to the nearest point of the outline, never below 0.
+    double outline_distance(const glm::dvec2& p) const;
+
+private:
+    std::vector<glm::dvec2> corner_;
+    std::vector<glm::dvec2> inward_;  // [edge] unit normal
 };
 
-/// `triangle` in eye space. No corners where nothing of it is between near and far.
+/// `triangle` in eye space.
 ReferencePolygon reference_polygon(const ReferenceCamera& camera,
                                    const std::array<glm::dvec3, 3>& triangle);
 
 /// Closer than this to an edge, in pixels, the reference cannot tell on which side a sample is.
-inline constexpr double undecided = 1e-8;
+inline constexpr double undecided = 1e-6;
 
 }  // namespace scanshade

@@ -62,7 +62,7 @@ ReportInput slivers(double width) {
 }
 
 ReportInput needles(double width) {
-    constexpr double left = 52, right = 76;
+    constexpr double left = 58, right = 70;
     const auto count = std::uint32_t((right - left) / width);
     PolygonSoup soup;
     for (std::uint32_t i = 0; i <= count; ++i) {
@@ -85,7 +85,7 @@ ReportInput needles(double width) {
 }
 
 ReportInput t_junctions(double parts) {
-    constexpr int strips = 6;
+    constexpr int strips = 30;
     PolygonSoup coarse, fine;
     for (int strip = 0; strip < strips; ++strip) {
         const int quads = strip % 2 == 0 ? 3 : 3 * int(parts);

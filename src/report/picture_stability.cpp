@@ -15,6 +15,9 @@
 namespace scanshade {
 namespace {
 
+/// Of a highlight: more, and one rounding of a float cosine shows.
+constexpr double largest_sure_exponent = 2e4;
+
 /// The planes and the bytes of one picture.
 struct DrawnPicture {
     Framebuffer planes;
@@ -102,18 +105,31 @@ PictureCaseResult measure_case(const ReportInput& input, const MakeDrawing& make
     return result;
 }
 
-/// Of a scene that nobody made to be hard: of its samples one in 2000 may lie where light branches
-/// on a quantity that is within its error of the threshold.
+double largest_exponent(const ReportInput& input) {
+    double most = 0;
+    for (const ResolvedMaterial& m : make_plan(normalised(input.scene), input.settings).materials)
+        for (std::size_t i = 0; i < m.brdf->params.size(); ++i)
+            if (m.brdf->params[i].kind == ParamKind::exponent)
+                most = std::max(most, double(m.params.exponent[i].whole));
+    return most;
+}
+
+/// Of a scene that nobody made to be hard: one pixel in 2000 may lie where light branches on a
+/// quantity that is within its error of the threshold. Its geometry is held to what rounding can
+/// come to, and to no number.
 PictureBounds bounds_of_scene(const ReportInput& input) {
+    const auto pixels = std::uint64_t(input.settings.width) * std::uint64_t(input.settings.height);
     PictureBounds bounds;
     bounds.levels = 255;
-    bounds.beyond =
-        std::uint64_t(input.settings.width) * std::uint64_t(input.settings.height) / 2000;
+    bounds.beyond = pixels / 2000;
     bounds.displacement = std::numeric_limits<double>::infinity();
-    bounds.mistaken = std::numeric_limits<std::uint64_t>::max();
+    bounds.mistaken = pixels;
     bounds.reason =
         "0.05 % of the pixels may lie where light branches on a quantity that is within its error "
-        "of the threshold; geometry is held to what rounding can come to";
+        "of the threshold";
+    if (largest_exponent(input) <= largest_sure_exponent) return bounds;
+    bounds.beyond = pixels;
+    bounds.reason = "an exponent above 2e4 magnifies one rounding of the cosine beyond a level";
     return bounds;
 }
 

@@ -15,6 +15,17 @@ namespace {
 // Weight of a common direction of normals against compactness, as meshoptimizer counts it.
 constexpr float cone_weight = 0.25f;
 
+/// Triangles around a vertex. For each that it adds meshoptimizer looks at all that are left around
+/// the vertices it has, so the time for a fan is the square of this.
+constexpr std::uint32_t max_valence = 1024;
+
+bool has_hub(const std::vector<unsigned int>& index, std::size_t vertices) {
+    std::vector<std::uint32_t> valence(vertices);
+    for (const unsigned int v : index) ++valence[v];
+    return std::any_of(valence.begin(), valence.end(),
+                       [](std::uint32_t n) { return n > max_valence; });
+}
+
 /// Triangles ordered by material; within one, as in the mesh.
 std::vector<std::uint32_t> triangles_by_material(const Mesh& mesh) {
     std::vector<std::uint32_t> order(mesh.triangle_count());
@@ -40,11 +51,9 @@ public:
 
     std::uint32_t take(const std::array<std::uint32_t, 3>& corners) {
         const Key key = rotated(corners);
-        auto at = std::size_t(std::lower_bound(numbers_.begin(), numbers_.end(), Row{key, 0}) -
-                              numbers_.begin());
-        while (taken_[at]) ++at;
-        taken_[at] = true;
-        return numbers_[at].number;
+        const auto first = std::size_t(
+            std::lower_bound(numbers_.begin(), numbers_.end(), Row{key, 0}) - numbers_.begin());
+        return numbers_[first + taken_[first]++].number;
     }
 
 private:
@@ -60,7 +69,7 @@ private:
                 t[std::size_t((least + 2) % 3)]};
     }
     std::vector<Row> numbers_;
-    std::vector<bool> taken_;
+    std::vector<std::uint32_t> taken_;  // [first of equal ones] how many
 };
 
 class Builder {
@@ -80,10 +89,15 @@ public:
         std::vector<meshopt_Meshlet> meshlets(most);
         std::vector<unsigned int> vertices(most * max_cluster_vertices);
         std::vector<unsigned char> corners(most * max_cluster_triangles * 3);
-        meshlets.resize(meshopt_buildMeshlets(
-            meshlets.data(), vertices.data(), corners.data(), index.data(), index.size(),
-            position_.data(), mesh_.vertex_count(), 3 * sizeof(float), max_cluster_vertices,
-            max_cluster_triangles, cone_weight));
+        if (has_hub(index, mesh_.vertex_count()))  // as they come
+            meshlets.resize(meshopt_buildMeshletsScan(
+                meshlets.data(), vertices.data(), corners.data(), index.data(), index.size(),
+                mesh_.vertex_count(), max_cluster_vertices, max_cluster_triangles));
+        else
+            meshlets.resize(meshopt_buildMeshlets(
+                meshlets.data(), vertices.data(), corners.data(), index.data(), index.size(),
+                position_.data(), mesh_.vertex_count(), 3 * sizeof(float), max_cluster_vertices,
+                max_cluster_triangles, cone_weight));
         TriangleNumbers numbers(mesh_, begin, end);
         for (const meshopt_Meshlet& meshlet : meshlets)
             add(meshlet, &vertices[meshlet.vertex_offset], &corners[meshlet.triangle_offset],

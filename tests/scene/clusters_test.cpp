@@ -5,7 +5,9 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
+#include "scanshade/base/timer.hpp"
 #include "support/catch.hpp"
+#include "support/pictures.hpp"
 #include "support/random_mesh.hpp"
 
 using namespace scanshade;
@@ -103,6 +105,19 @@ std::string check_bounds(const Mesh& mesh, const ClusteredMesh& clusters, const 
     return "";
 }
 
+/// What is wrong with a mesh's clusters; "" where each triangle is in one, as it should be.
+std::string wrong(const Mesh& mesh, const ClusteredMesh& clusters) {
+    std::vector<int> times(mesh.triangle_count());
+    for (const Cluster& cluster : clusters.clusters) {
+        std::string fault = check_slots(mesh, clusters, cluster);
+        if (fault.empty()) fault = check_triangles(mesh, clusters, cluster, times);
+        if (fault.empty()) fault = check_bounds(mesh, clusters, cluster);
+        if (!fault.empty()) return fault;
+    }
+    const bool once = std::all_of(times.begin(), times.end(), [](int n) { return n == 1; });
+    return once ? "" : "a triangle is not there once";
+}
+
 }  // namespace
 
 TEST_CASE("clusters hold each triangle once, under bounds that contain it", "[engine][clusters]") {
@@ -111,18 +126,10 @@ TEST_CASE("clusters hold each triangle once, under bounds that contain it", "[en
         Rng rng(seed);
         const auto mesh = make_random_mesh(rng, std::uint32_t(rng.integer(1, 4)));
         const ClusteredMesh clusters = build_clusters(*mesh);
-        std::vector<int> times(mesh->triangle_count());
-        std::string wrong;
-        for (const Cluster& cluster : clusters.clusters) {
-            if (wrong.empty()) wrong = check_slots(*mesh, clusters, cluster);
-            if (wrong.empty()) wrong = check_triangles(*mesh, clusters, cluster, times);
-            if (wrong.empty()) wrong = check_bounds(*mesh, clusters, cluster);
-            with_cone += cluster.sin_cone < 1;
-            ++clusters_seen;
-        }
+        for (const Cluster& cluster : clusters.clusters) with_cone += cluster.sin_cone < 1;
+        clusters_seen += int(clusters.clusters.size());
         CAPTURE(seed, mesh->name);
-        CHECK(wrong == "");
-        CHECK(times == std::vector<int>(mesh->triangle_count(), 1));
+        CHECK(wrong(*mesh, clusters) == "");
     }
     CHECK(with_cone > 100);
     CHECK(clusters_seen > 1000);
@@ -133,4 +140,24 @@ TEST_CASE("copies of a mesh share the clusters that were cut once", "[engine][cl
     const auto mesh = make_random_mesh(rng, 1);
     const Mesh copy = *mesh;
     CHECK(&clusters_of(*mesh) == &clusters_of(copy));
+}
+
+TEST_CASE("a hundred thousand triangles around one vertex, and as many on one place",
+          "[engine][clusters][extremes]") {
+    constexpr std::uint32_t n = 100'000;
+    std::vector<glm::dvec3> ring{{0, 0, 1}};
+    std::vector<std::vector<std::uint32_t>> fan, pile(n, {0, 1, n / 3});
+    for (std::uint32_t i = 0; i < n; ++i) {
+        ring.push_back({std::cos(i * 2 * pi / n), std::sin(i * 2 * pi / n), 0});
+        fan.push_back({0, 1 + i, 1 + (i + 1) % n});
+    }
+    const auto time = [](const Mesh& mesh) {
+        const Timer timer;
+        CHECK(wrong(mesh, build_clusters(mesh)) == "");
+        return timer.ms();
+    };
+    const double ordinary = time(build_mesh(find_shape("plane")->make(224), {}));
+    // What grows with the square takes a hundred times as long.
+    CHECK(time(build_mesh(make_soup(ring, fan), {})) <= 20 * ordinary);
+    CHECK(time(build_mesh(make_soup(ring, pile), {})) <= 20 * ordinary);
 }

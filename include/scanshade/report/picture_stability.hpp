@@ -18,11 +18,13 @@ namespace scanshade {
 /// What a picture must keep to, besides what all must: no NaN or Inf, the same triangle at every
 /// sample in every renderer, and geometry within what rounding can come to.
 struct PictureBounds {
-    int levels = 1;                // largest difference of a byte from scalar-f64
-    std::uint64_t beyond = 0;      // pixels that may differ by more than one level
-    double displacement = 1;       // 1/256 pixel: of a vertex, and of edges beside moved samples
-    std::uint64_t mistaken = 0;    // samples at which rounded depth chooses another triangle
-    std::string_view reason = {};  // for what is not the default
+    int levels = 1;              // largest difference of a byte from scalar-f64
+    std::uint64_t beyond = 0;    // pixels that may differ by more than one level
+    double displacement = 1;     // 1/256 pixel: of a vertex, and of edges beside moved samples
+    std::uint64_t mistaken = 0;  // samples at which rounded depth chooses another triangle
+    std::string_view reason =
+        "rounding to a byte can make a level of any difference; snapping moves a vertex by up to "
+        "0.71/256 pixel, rounding to float by less";
 };
 
 /// One renderer's picture of a scene, against that of scalar-f64.
