@@ -61,6 +61,10 @@ Json row_json(std::string_view axis, const SweepResult& sweep, const Column& col
               {"inf", e.inf},
               {"zero", e.zero},
               {"beyond_bound", e.over}}},
+            {"bound_ulp",
+             {{"least", std::ranges::min(sweep.bound)},
+              {"most", std::ranges::max(sweep.bound)},
+              {"share", share_of_bound(e, sweep.bound)}}},
             {"condition", sweep.condition},
             {"misprint", sweep.misprint},
             {"used", sweep.choice},
@@ -173,8 +177,8 @@ void add_plots(std::string_view kind, const std::vector<SweepResult>& sweeps,
 std::string ulp_text(double ulp) {
     if (ulp < 1e-9) return "0";
     if (ulp < 1000) return fmt::format("{:.{}f}", ulp, ulp < 10 ? 1 : 0);
-    const int exponent = static_cast<int>(std::floor(std::log10(ulp)));
-    return fmt::format("{:.1f}e{}", ulp / std::pow(10, exponent), exponent);
+    const std::string text = fmt::format("{:.1e}", ulp);  // "4.2e+06"
+    return fmt::format("{}e{}", text.substr(0, 3), std::stoi(text.substr(4)));
 }
 
 /// The worst error of a form: its ulp, and what is no number at all.

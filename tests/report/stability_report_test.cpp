@@ -52,6 +52,8 @@ TEST_CASE("the stability report has a row for each form in each type of number",
     CHECK(rows[0]["error"]["ulp"] > 1e6);
     CHECK(rows[2]["method"] == "ours f32");
     CHECK(rows[2]["error"]["ulp"] < 6);
+    CHECK(rows[2]["bound_ulp"]["most"] == 6);
+    CHECK(rows[2]["bound_ulp"]["share"] < 1);
     const std::string csv = text_of(folder.path / "stability.csv");
     CHECK(csv.find("error.ulp") != std::string::npos);
     const std::string page = text_of(folder.path / "index.html");
