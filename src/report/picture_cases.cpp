@@ -104,7 +104,7 @@ constexpr HardCase cases[] = {
      phong, patch},
     {"w-ratio-1e6-texture", "the same, with texture coordinates", w_ratio_texture, 1e6,
      w_ratio_colour},
-    {"depth-1e-3-to-1e9", "depth spans twelve orders of magnitude", depth_range_scene, 1e3,
+    {"depth-1e-3-to-1e9", "depth spans twelve orders of magnitude", depth_range_scene, 1e-3,
      depth_range_bounds},
     {"near-coplanar-1e-7", "surfaces closer than a float's step of depth", z_fighting, 1e-7,
      closer_than_floats},

@@ -52,17 +52,19 @@ Json renderer_json(const PictureCaseResult& result, const RendererResult& r) {
 
 Json geometry_json(const PictureCaseResult& result) {
     const GeometryResult& g = result.geometry;
-    return row_json(result, "geometry",
-                    {{"vertices", g.vertices},
-                     {"displacement_256th", g.displacement},
-                     {"displacement_bound", result.bounds.displacement},
-                     {"covered_samples", g.samples},
-                     {"moved_samples", g.moved},
-                     {"opened_samples", g.opened},
-                     {"edge_distance_256th", g.edge_distance},
-                     {"rounding_bound_share", g.bound_share},
-                     {"mistaken_samples", g.mistaken},
-                     {"mistaken_bound", result.bounds.mistaken}});
+    Json error = {{"vertices", g.vertices},
+                  {"displacement_256th", g.displacement},
+                  {"covered_samples", g.samples},
+                  {"moved_samples", g.moved},
+                  {"opened_samples", g.opened},
+                  {"edge_distance_256th", g.edge_distance},
+                  {"rounding_bound_share", g.bound_share},
+                  {"mistaken_samples", g.mistaken}};
+    if (result.generated) {
+        error["displacement_bound"] = result.bounds.displacement;
+        error["mistaken_bound"] = result.bounds.mistaken;
+    }
+    return row_json(result, "geometry", std::move(error));
 }
 
 }  // namespace

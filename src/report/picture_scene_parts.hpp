@@ -2,7 +2,6 @@
 #pragma once
 
 #include <glm/vec3.hpp>
-#include <initializer_list>
 #include <string_view>
 #include <vector>
 
@@ -18,7 +17,7 @@ public:
     /// Ambient light, and a picture of 128 × 96 pixels.
     SceneBuilder();
 
-    /// From (0, 0, 5) · size, `degrees` high.
+    /// `degrees`: how high the picture is.
     SceneBuilder& camera(const glm::dvec3& position, const glm::dvec3& focal_point,
                          double degrees = 30);
     /// At the origin, looks down −z, 90° high: pixel_point() tells what it shows where.

@@ -1,8 +1,6 @@
 // Scenes that are hard for numbers, each a function of the number that makes it so.
 #pragma once
 
-#include <initializer_list>
-
 #include "scanshade/report/subject.hpp"
 
 namespace scanshade {
@@ -14,29 +12,30 @@ ReportInput scaled_scene(double scale);
 /// A ring whose file has it `offset` away from the origin along each axis; or placed there.
 ReportInput far_in_file(double offset);
 ReportInput far_placed(double offset);
-/// A ring before another one, `distance` behind it and as much larger.
+/// A ring, and another one `distance` behind it and as much larger.
 ReportInput far_pair(double distance);
-/// A sphere that the near plane cuts where it leaves `depth` of its radius.
+/// A sphere that the near plane cuts at `depth` of its radius before the middle; a small one in it.
 ReportInput cut_by_near(double depth);
-/// A torus around the eye, in orthographic projection cut by near and far where `share` is left.
+/// A ring in orthographic projection, of which near and far leave what is up to `share` before and
+/// behind the middle.
 ReportInput cut_by_both(double share);
 /// The camera in the middle of a sphere, `angle` degrees high.
 ReportInput inside_mesh(double angle);
-/// Triangles `times` as large as the picture; one of them passes behind the eye.
+/// Triangles of 100 · `times` pixels; one of them passes behind the eye.
 ReportInput beyond_guard_band(double times);
-/// Triangles of which one or two corners are behind the eye, in both windings.
+/// Triangles of which one or two corners are `w` behind the eye, in both windings.
 ReportInput behind_eye(double w);
 /// A floor of one quadrilateral between distances 1/√ratio and √ratio; with a texture.
 ReportInput w_ratio(double ratio);
 ReportInput w_ratio_texture(double ratio);
-/// Boards from distance 2·near to far/2, with near = 1/`inverse_near` and far = 1e9.
-ReportInput depth_range_scene(double inverse_near);
+/// Boards from distance 2·near to far/2, with far = 1e9.
+ReportInput depth_range_scene(double near);
 /// Two crossing boards, and two that lie `gap` of their distance apart.
 ReportInput z_fighting(double gap);
 
 // ---- meshes
 
-/// Needles `width` of a pixel wide around a point.
+/// A disc of needles around a point, `width` of a pixel wide at its rim.
 ReportInput slivers(double width);
 /// Slanted strips beside each other, `width` of a pixel wide.
 ReportInput needles(double width);
@@ -52,14 +51,14 @@ ReportInput zero_area_faces(double width);
 ReportInput tiny_triangles(double per_pixel);
 /// Coordinates of `tiny` among those of a usual size.
 ReportInput tiny_coordinates(double tiny);
-/// Quadrilaterals that are concave, crossed, folded or flattened to a line.
-ReportInput odd_quads(double);
+/// Quadrilaterals that are concave, crossed, flattened to a line, or folded by `fold`.
+ReportInput odd_quads(double fold);
 /// A surface whose file has normals of length 0, 1/`length` and `length`.
 ReportInput normal_lengths(double length);
 /// Quadrilaterals whose corners' normals are `degrees` apart.
 ReportInput opposite_normals(double degrees);
-/// A sheet folded back on itself by all but `degrees`, with averaged normals.
-ReportInput cancelling_normals(double degrees);
+/// Front and back of sheets, with averaged normals; a corner of the back is lifted by 0 to `lift`.
+ReportInput cancelling_normals(double lift);
 
 // ---- light and reflection
 

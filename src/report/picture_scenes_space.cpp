@@ -198,8 +198,8 @@ ReportInput w_ratio_texture(double ratio) {
     return floor_scene(floor, ratio, material);
 }
 
-ReportInput depth_range_scene(double inverse_near) {
-    const double near = 1 / inverse_near, far = 1e9;
+ReportInput depth_range_scene(double near) {
+    constexpr double far = 1e9;
     constexpr int boards = 12;
     SceneBuilder builder;
     builder.pixel_camera(near, far).front_light();

@@ -44,6 +44,7 @@ DrawnPicture draw(const ReportInput& input, const RendererChoice& renderer,
     Settings settings = input.settings;
     settings.renderer = renderer.kind;
     settings.isa = renderer.isa;
+    settings.tolerance = 0;  // a difference that was asked for
     const Drawing drawing = make(input.scene, settings);
     DrawnPicture picture;
     picture.stats = drawing.planes(picture.planes);
