@@ -10,17 +10,14 @@
 namespace scanshade {
 namespace {
 
-/// What the report comes to, equations first.
-std::string verdict(const StabilityReport& report) {
-    const std::size_t faults = report.pictures.faults().size(),
-                      cases = report.pictures.cases.size();
-    const std::string pictures =
-        faults == 0 ? fmt::format(
-                          "All {} hard scenes keep what they are held to, in every renderer "
-                          "and on every instruction set.",
-                          cases)
-                    : fmt::format("{} bounds of {} hard scenes are broken.", faults, cases);
-    return equation_verdict(report.equations) + " " + pictures;
+std::string picture_verdict(const PictureStability& pictures) {
+    const std::size_t faults = pictures.faults().size(), cases = pictures.cases.size();
+    if (cases == 0) return "No scene was drawn.";
+    if (faults > 0) return fmt::format("{} bounds of {} hard scenes are broken.", faults, cases);
+    return fmt::format(
+        "{}{} hard scenes keep what they are held to, in every renderer and on every "
+        "instruction set.",
+        pictures.partial ? "" : "All ", cases);
 }
 
 std::string page_text(const StabilityReport& report, bool drawn) {
@@ -30,7 +27,8 @@ std::string page_text(const StabilityReport& report, bool drawn) {
         "their extremes, angles that graze, lengths that cancel, scenes that are huge, tiny, "
         "far away or broken.");
     const std::vector<std::string> faults = report.faults();
-    page.verdict(verdict(report), faults.empty());
+    page.verdict(equation_verdict(report.equations) + " " + picture_verdict(report.pictures),
+                 faults.empty());
     if (report.partial)
         page.notice(
             "This report is partial: the measurement was interrupted, and equations and scenes "
