@@ -182,10 +182,11 @@ soak: deps-test  ## N=20000 random scenes from seed FIRST=1 on every instruction
 	    SCANSHADE_SOAK_ISA=$(ISA) $(TESTS) '[.soak]'
 
 .PHONY: report
-report: deps-report  ## what the plan saves and what a frame costs, into build/report/; takes minutes
+report: deps-report  ## all reports, into build/report/: plan, speed, stability; takes minutes
 	@$(SUBMAKE) $(CLI)
 	@$(CLI) report plan -o build/report/plan
 	@$(CLI) report speed -o build/report/speed
+	@$(CLI) report stability -o build/report/stability
 
 CHECKS := check-selftest check-layers check-equations check-format check-headers
 HEADERS := $(shell find include -name '*.hpp' 2>/dev/null | sort)
@@ -208,13 +209,20 @@ check-headers:
 	@CXX='$(CXX)' python3 tests/support/check_headers.py $(HEADERS) -- \
 	    $(filter-out -M%,$(CXXFLAGS_COMMON)) -Werror
 
+# Those of the ten cases in docs/numerics.md.
+STABILITY_PICTURES := $(addsuffix .svg,$(addprefix equation-,A3-1 B11-2 B12-1 B17d-1 B20-2 C5-1 D3-2)) \
+    $(addsuffix .png,$(addprefix case-,exponent-1e6 offset-1e7-file w-ratio-1e6 near-coplanar-1e-7))
+
 .PHONY: docs
-docs: deps-demo  ## write docs/equations.md and the pictures of README.md again
+docs: deps-report  ## write docs/equations.md and all pictures of README.md and docs/ again
 	@python3 tests/support/check_equations.py --write
 	@$(SUBMAKE) $(CLI)
 	@mkdir -p docs/images
 	$(CLI) render $(DEMO_SCENE) --resolution 960,540 --samples 16 -o docs/images/teapot.png
 	$(CLI) sheet $(DEMO_SCENE) --resolution 240,180 --samples 16 -o docs/images/sheet.png
+	$(CLI) report stability -o build/report/stability
+	@mkdir -p docs/images/stability
+	cp $(STABILITY_PICTURES:%=build/report/stability/%) docs/images/stability/
 
 .PHONY: golden golden-accept
 golden: deps-test  ## compare pictures with golden/; drawn ones and differences go to build/golden/

@@ -13,6 +13,7 @@
 #include "scanshade/base/text.hpp"
 #include "scanshade/report/plan_report.hpp"
 #include "scanshade/report/speed_report.hpp"
+#include "scanshade/report/stability_report.hpp"
 
 namespace scanshade {
 namespace fs = std::filesystem;
@@ -33,6 +34,7 @@ struct Written {
 
 struct ReportKind {
     std::string_view name;
+    bool shipped;  // without an INPUT, of the shipped scenes
     Written (*run)(const std::vector<ReportInput>&, const ReportArgs&, const Rounds&, const Watch&);
 };
 
@@ -48,7 +50,17 @@ Written report_speed(const std::vector<ReportInput>& inputs, const ReportArgs& a
     return {write_speed_report(report, args.folder), {}, report.partial};
 }
 
-constexpr ReportKind kinds[] = {{"plan", report_plan}, {"speed", report_speed}};
+Written report_stability(const std::vector<ReportInput>& inputs, const ReportArgs& args,
+                         const Rounds&, const Watch& watch) {
+    const StabilityReport report = measure_stability(inputs, args.settings, watch);
+    return {write_stability_report(report, args.folder), report.faults(), report.partial};
+}
+
+constexpr ReportKind kinds[] = {
+    {"plan", true, report_plan},
+    {"speed", true, report_speed},
+    {"stability", false, report_stability},
+};
 
 const ReportKind& find_kind(const std::string& name) {
     std::vector<std::string_view> names;
@@ -82,9 +94,11 @@ std::vector<std::string> shipped_scenes() {
                 "this program; name an INPUT");
 }
 
-std::vector<ReportInput> load_inputs(const ReportArgs& args, Progress& progress) {
+std::vector<ReportInput> load_inputs(const ReportArgs& args, const ReportKind& kind,
+                                     Progress& progress) {
     std::vector<ReportInput> inputs;
-    for (const std::string& path : args.inputs.empty() ? shipped_scenes() : args.inputs) {
+    const bool shipped = args.inputs.empty() && kind.shipped;
+    for (const std::string& path : shipped ? shipped_scenes() : args.inputs) {
         progress.text("loading " + path);
         inputs.push_back({{}, args.settings});
         inputs.back().scene = load_scene(path, inputs.back().settings);
@@ -116,9 +130,11 @@ bool parse_args(OptionParser& options, char** args, ReportArgs& into) {
     options.positional("KIND", into.kind,
                        "plan: what each row of the plan saves, and that it changes no picture; "
                        "speed: the time of all stages against pixels, triangles, lights, samples "
-                       "and threads");
+                       "and threads; stability: errors of equations and of pictures where numbers "
+                       "are in danger");
     options.optional_positionals("INPUT", into.inputs,
-                                 ".obj files or .toml scenes; else those of models/scenes");
+                                 ".obj files or .toml scenes; else those of models/scenes, but for "
+                                 "stability none besides its own hard cases");
     options.required_text("-o,--output", "DIR", into.folder,
                           "folder for index.html, report.json, a CSV and plots; made where it is "
                           "not there");
@@ -138,7 +154,7 @@ int run_report(OptionParser& options, char** argv) {
     make_folder(args.folder);
 
     Progress progress("loading");
-    const std::vector<ReportInput> inputs = load_inputs(args, progress);
+    const std::vector<ReportInput> inputs = load_inputs(args, kind, progress);
     const Timer timer;
     const Rounds rounds{1, std::size_t(args.runs), std::uint64_t(args.seed)};
     const Written written = kind.run(inputs, args, rounds, watch_on(progress, timer));

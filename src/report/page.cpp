@@ -15,10 +15,12 @@ h1 { font-size: 1.7rem; line-height: 1.2; margin: .5rem 0; }
 h2 { font-size: 1.25rem; margin: 2rem 0 .5rem; border-bottom: 1px solid #d5d8dc; }
 .lead { font-size: 1.1rem; color: #444a52; }
 .notice { border-left: 4px solid #b3541e; background: #fdf3ec; padding: .5rem 1rem; }
+.verdict { border-left: 4px solid #0b6b3a; background: #eef7f1; padding: .5rem 1rem; }
+.failed { border-color: #a32012; background: #fdeeec; }
 .figures { display: flex; flex-wrap: wrap; gap: 1rem; margin: 1rem 0; }
 figure { margin: 0; max-width: 100%; overflow-x: auto; break-inside: avoid; }
 figure img { display: block; max-width: 100%; height: auto; }
-figcaption { font-size: .9rem; color: #555c66; }
+figcaption { font-size: .9rem; color: #555c66; max-width: 32rem; }
 .scroll { overflow-x: auto; margin: 0 0 1rem; }
 table { border-collapse: collapse; font-size: .9rem; }
 th, td { text-align: left; padding: .2rem .6rem; border-bottom: 1px solid #e3e5e8;
@@ -79,6 +81,9 @@ Page::Page(std::string_view title, std::string_view lead) : title_(title) {
     body_ = element("h1", "", title) + "\n" + element("p", "lead", lead) + "\n";
 }
 
+void Page::verdict(std::string_view text, bool good) {
+    body_ += element("p", good ? "verdict" : "verdict failed", text) + "\n";
+}
 void Page::notice(std::string_view text) { body_ += element("p", "notice", text) + "\n"; }
 void Page::section(std::string_view title) { body_ += element("h2", "", title) + "\n"; }
 void Page::paragraph(std::string_view text) { body_ += element("p", "", text) + "\n"; }

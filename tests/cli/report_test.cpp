@@ -50,6 +50,23 @@ TEST_CASE("report speed measures scenes and a sphere", "[cli][report]") {
     CHECK(std::filesystem::exists(std::filesystem::path(out) / "triangles-2.svg"));
 }
 
+TEST_CASE("report stability needs no input, and measures equations, models and pictures",
+          "[cli][report]") {
+    const TempFolder folder;
+    const std::string out = folder.path / "report";
+    const Finished run = run_scanshade({"report", "stability", "-o", out});
+    CAPTURE(run.err);
+    CHECK(run.status == 0);
+    const nlohmann::json report = report_in(out);
+    CHECK(report["partial"] == false);
+    REQUIRE(report["scenes"].size() > 2);
+    CHECK(report["scenes"][0]["name"] == "equations");
+    CHECK(report["scenes"][1]["name"] == "models");
+    CHECK(report["scenes"][2]["rows"][0]["axis"] == "pictures");
+    for (const char* file : {"index.html", "stability.csv", "equation-B17d-1.svg"})
+        CHECK(std::filesystem::exists(std::filesystem::path(out) / file));
+}
+
 TEST_CASE("without an input the shipped scenes are found from any folder", "[cli][report]") {
     // Only found, not measured: the settings of no plan are refused after loading.
     const TempFolder folder;
@@ -71,7 +88,7 @@ TEST_CASE("an interrupted report is whole in itself, and says that it is partial
           "[cli][report]") {
     const TempFolder folder;
     const std::string in = write_triangle(folder), out = folder.path / "report";
-    for (const std::string kind : {"plan", "speed"}) {
+    for (const std::string kind : {"plan", "speed", "stability"}) {
         const Finished run = run_scanshade_interrupted(
             {"report", kind, in, "-o", out + kind, "--runs", "10000"}, out + kind);
         CAPTURE(kind, run.err);

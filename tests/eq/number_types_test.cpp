@@ -24,6 +24,7 @@
 #include "scanshade/num/interval.hpp"
 #include "scanshade/num/lanes.hpp"
 #include "scanshade/num/lanes_functions.hpp"
+#include "scanshade/num/wide.hpp"
 
 SCANSHADE_TARGET_BEGIN;
 
@@ -67,6 +68,7 @@ struct EquationRow {
     void (*f32)(const float*, float*);
     void (*f64)(const double*, double*);
     void (*f80)(const long double*, long double*);
+    void (*wide)(const Wide*, Wide*);
     void (*interval)(const Interval*, Interval*);
     void (*dual)(const Dual*, Dual*);
 };
@@ -77,6 +79,7 @@ const EquationRow equations[] = {
      name##_call<float>,                                           \
      name##_call<double>,                                          \
      name##_call<long double>,                                     \
+     name##_call<Wide>,                                            \
      name##_call<Interval>,                                        \
      name##_call<Dual>},
 #include "eq/equation_rows.hpp"
@@ -130,6 +133,21 @@ TEST_CASE("every equation keeps its error bound in float and in double", "[eq][n
             CHECK(std::abs(double(f32[k]) - exact) <= row.info.error_u * 0x1p-24 * size + 1e-37);
             CHECK(std::abs(double(f64[k] - f80[k])) <=
                   (row.info.error_u + 1) * 0x1p-53 * size + 1e-300);
+        }
+    });
+}
+
+TEST_CASE("every equation in 113 bits agrees with long double to its bound", "[eq][numbers]") {
+    for_each_case(45, 200, [](const EquationRow& row, std::size_t, const std::vector<float>& in) {
+        const auto f80 = evaluate(row.f80, in);
+        Wide x[max_equation_inputs], y[max_equation_outputs];
+        for (std::size_t k = 0; k < in.size(); ++k) x[k] = Wide(double(in[k]));
+        row.wide(x, y);
+        for (std::size_t k = 0; k < std::size_t(row.info.outputs); ++k) {
+            const Wide error = y[k] - Wide(Quad(f80[k]));
+            const double size = std::abs(double(y[k])) + row.info.scale;
+            CAPTURE(k, double(y[k]), double(error));
+            CHECK(std::abs(double(error)) <= (row.info.error_u + 1) * 0x1p-64 * size + 1e-300);
         }
     });
 }

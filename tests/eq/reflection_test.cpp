@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/printed_forms.hpp"
 #include "support/catch.hpp"
 #include "support/directions.hpp"
 
@@ -97,8 +98,7 @@ TEST_CASE("(B15) the half vector lies in the middle; opposite directions have no
 TEST_CASE("(B13) f_r cosθ_i is finite where the printed BRDF is not", "[eq]") {
     const Rgb<float> k = {0.5f, 0.5f, 0.5f};
     const float grazing = 1e-42f, r_o = 0.9f;
-    const float printed = k.r + k.r * pow_shininess(r_o, make_exponent(10)) / grazing;
-    CHECK(std::isinf(printed));
+    CHECK(std::isinf(printed::phong_brdf(k.r, k.r, 10.0f, grazing, r_o)));
     CHECK(phong_f_cos(k, k, make_exponent(10), grazing, r_o).r < 1);
     // With L_i = 1 and k in C7's units, π f_r cosθ_i is B12.
     const Rgb<double> d = {0.1, 0.2, 0.3}, s = {0.3, 0.2, 0.1};
@@ -126,16 +126,14 @@ TEST_CASE("(B20) Oren-Nayar with sigma 0 is Lambert; its azimuths matter", "[eq]
     const Rgb<double> rho = {0.8, 0.5, 0.2};
     CHECK(oren_nayar_f_cos(rho, smooth, 0.3, 0.6, 0.4).r == Approx(0.8 / pi * 0.3));
 
-    const double sigma = 0.5, s2 = sigma * sigma, theta_i = 0.9, theta_o = 0.6;
+    const double sigma = 0.5, theta_i = 0.9, theta_o = 0.6;
     const OrenNayarCoefficients<double> k = oren_nayar_coefficients(sigma);
     const auto ours = [&](double dphi) {
         const double s = std::sin(theta_i) * std::sin(theta_o) * std::cos(dphi);
         return oren_nayar_f_cos(rho, k, std::cos(theta_i), std::cos(theta_o), s).r;
     };
     const auto formula = [&](double cosine) {
-        const double A = 1 - s2 / (2 * (s2 + 0.33)), B = 0.45 * s2 / (s2 + 0.09);
-        return 0.8 / pi * std::cos(theta_i) *
-               (A + B * std::max(0.0, cosine) * std::sin(theta_i) * std::tan(theta_o));
+        return printed::oren_nayar_brdf(0.8, sigma, theta_i, theta_o, cosine) * std::cos(theta_i);
     };
     for (const double dphi : {0.0, 1.0, 2.0, pi})
         CHECK(ours(dphi) == Approx(formula(std::cos(dphi))));
@@ -150,4 +148,35 @@ TEST_CASE("(B20) Oren-Nayar is defined at the pole and bounded at grazing angles
     CHECK(oren_nayar_f_cos(white, k, 1.0f, 1.0f, 0.0f).r == Approx(k.A / float(pi)));
     for (const float c : {1e-3f, 1e-8f, 1e-30f})
         CHECK(oren_nayar_f_cos(white, k, c, c, 1.0f).r <= 0.35f);  // f_r itself is tan 90°
+}
+
+TEST_CASE("(B20) white facets give back at most 1.52 % more than they get", "[eq]") {
+    // ∫ f_r cosθ_i dω_i for ρ = 1; grazing views gain most, up to A + B/2.
+    const auto albedo = [](double sigma, double theta_o) {
+        constexpr int n = 500;
+        const OrenNayarCoefficients<double> k = oren_nayar_coefficients(sigma);
+        double sum = 0;
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; j < n; ++j) {
+                const double theta_i = (i + 0.5) * pi / 2 / n, dphi = (j + 0.5) * pi / n;
+                const double s = std::sin(theta_i) * std::sin(theta_o) * std::cos(dphi);
+                sum += oren_nayar_f_cos(Rgb<double>{1, 1, 1}, k, std::cos(theta_i),
+                                        std::cos(theta_o), s)
+                           .r *
+                       std::sin(theta_i);
+            }
+        return sum * 2 * (pi / 2 / n) * (pi / n);
+    };
+    double largest = 0;
+    for (const double sigma : {0.1, 0.1985, 0.3, 1.5})
+        for (const double theta_o : {0.0, 0.8, 1.2, 1.5, 1.57}) {
+            const OrenNayarCoefficients<double> k = oren_nayar_coefficients(sigma);
+            CHECK(albedo(sigma, theta_o) <= k.A + k.B / 2 + 1e-5);
+            largest = std::max(largest, albedo(sigma, theta_o));
+        }
+    CHECK(largest == Approx(1.0152).epsilon(1e-4));
+    for (double sigma = 0; sigma <= 1.57; sigma += 1e-4) {
+        const OrenNayarCoefficients<double> k = oren_nayar_coefficients(sigma);
+        CHECK(k.A + k.B / 2 < 1.01518);
+    }
 }

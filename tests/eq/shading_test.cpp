@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "report/printed_forms.hpp"
 #include "support/catch.hpp"
 
 using namespace scanshade;
@@ -50,6 +51,8 @@ TEST_CASE("(C3) edges and spans by hand", "[eq]") {
 TEST_CASE("(C3) a horizontal edge and an empty span give their first end", "[eq]") {
     CHECK(along_edge(10.0, 30.0, 7.0, 7.0, 7.0) == 10);
     CHECK(along_span(15.0, 25.0, 9.0, 9.0, 9.0) == 15);
+    CHECK(std::isnan(printed::along_edge(10.0, 30.0, 7.0, 7.0, 7.0)));
+    CHECK(std::isnan(printed::along_span(15.0, 25.0, 9.0, 9.0, 9.0)));
 }
 
 TEST_CASE("(C4) (C5) interpolated normals are made unit vectors", "[eq]") {
@@ -82,6 +85,9 @@ TEST_CASE("(C7) attenuation by hand", "[eq]") {
     CHECK(attenuation(2.0, 1.0, 0.5, 0.25) == 1 / 3.0);
     CHECK(attenuation(4.0, 0.0, 0.0, 1.0) == 1 / 16.0);
     CHECK(attenuation(1e30f, 1.0f, 1.0f, 1.0f) == 0);  // no overflow to NaN on the way
+    // Printed, d² overflows first.
+    CHECK(attenuation(1e20f, 1.0f, 0.0f, 0x1p-33f) == Approx(0x1p33 / 1e40));
+    CHECK(printed::attenuation(1e20f, 1.0f, 0.0f, 0x1p-33f) == 0);
 }
 
 TEST_CASE("(C7) ambient and light terms by hand", "[eq]") {

@@ -18,6 +18,7 @@ struct Dual {
     double value, derivative;
 
     Dual() = default;
+    explicit Dual(float x) : Dual(static_cast<double>(x)) {}
     explicit Dual(double x) : value(x), derivative(0) {}
     explicit Dual(int x) : Dual(static_cast<double>(x)) {}
     Dual(double x, double slope) : value(x), derivative(slope) {}

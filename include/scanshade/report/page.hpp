@@ -30,6 +30,8 @@ public:
     /// `lead` says in a sentence or two what the report is about.
     Page(std::string_view title, std::string_view lead);
 
+    /// What the report comes to, before anything else.
+    void verdict(std::string_view text, bool good);
     /// Stands out: something that a reader must know first.
     void notice(std::string_view text);
     void section(std::string_view title);
