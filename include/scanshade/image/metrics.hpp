@@ -28,15 +28,16 @@ struct Mask {
 /// Where two pictures of one view show surfaces.
 struct Regions {
     Mask covered;     // in both
-    Mask interior;    // covered in both, and no edge of either within a pixel, also diagonally
-    Mask silhouette;  // an edge of either within a pixel
+    Mask interior;    // covered in both, and no edge of either at it or at a pixel around it
+    Mask silhouette;  // the rest of what is covered in either, or has such an edge
 };
 
 /// By ids and depth; they are those of a pixel's first sample. An *edge* runs between two
 /// neighbours, beside or above each other, where one is covered and the other not, or where depth
 /// jumps: where neither side's depth, continued linearly by a pixel, comes within 1 % of the other's.
 /// So the border between two triangles or a crease is none, and an object in front of another has
-/// one. Throws Error(format) where the sizes differ.
+/// one. Pixels of neither interior nor silhouette show the background in both. Throws Error(format)
+/// where the sizes differ.
 Regions regions_of(const Framebuffer& a, const Framebuffer& b);
 
 /// A picture and its reference, in linear light and as they are shown. Linear values are as they
@@ -81,32 +82,39 @@ struct Channels {
 };
 
 enum class Better { lower, higher };
+enum class Pool { mean, max };
 
-/// One measure.
+/// One measure: an error of each pixel, pooled over pixels, and put into its unit.
 struct Metric {
     std::string_view name;     // "rmse": options, JSON and CSV
     std::string_view title;    // "root mean square error"
     std::string_view symbol;   // "RMSE": axes and headings
-    std::string_view unit;     // "1", "dB", "%", "levels"
+    std::string_view unit;     // "1", "dB", "%"
     std::string_view picture;  // what it looks at: "linear" or "encoded"
     Better better;             // which way a good picture lies
     bool per_channel;          // it also has a value for each channel alone
     std::string_view source;
 
-    /// Over the pixels of `mask`, or over all. NaN where there are none, or where one of them (or,
-    /// for SSIM and FLIP, one near enough to count) is not finite: nothing is averaged away.
-    double (*value)(const Comparison& pair, Channels channels, const Mask* mask);
-
-    /// The error of each pixel, 0 where there is none; all channels together. Its largest value is
-    /// the top of a scale; what it measures may be another power of the error than `value`.
-    Comparison::Plane (*map)(const Comparison& pair);
+    double (*pixel)(const Comparison& pair, Channels channels, std::size_t index);
+    Pool pool;
+    double (*finish)(double pooled);
+    double (*shown)(double pixel);  // what a heat map shows: 0 where there is no error
 };
 
-/// mae, rmse, psnr, max, over-1, rel-mse, ssim, flip.
+/// mae, rmse, psnr, max, over1, relmse, ssim, flip.
 std::span<const Metric> all_metrics();
 
 /// Throws Error(usage) that names the nearest one.
 const Metric& find_metric(std::string_view name);
+
+/// Over the pixels of `mask`, or over all. NaN where there are none, or where one of them (or, for
+/// SSIM and FLIP, one near enough to count) is not finite: nothing is averaged away. PSNR of equal
+/// pictures is infinite. Of `channels`, FLIP takes all or none.
+double measure(const Metric& metric, const Comparison& pair, Channels channels = {},
+               const Mask* mask = nullptr);
+
+/// The error of each pixel as a heat map shows it, all channels together.
+Comparison::Plane error_map(const Metric& metric, const Comparison& pair);
 
 /// a is nearer to the reference than b; never where one of them is NaN.
 bool is_better(const Metric& metric, double a, double b);
