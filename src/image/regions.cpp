@@ -3,17 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "scanshade/base/error.hpp"
 #include "scanshade/image/metrics.hpp"
 
 namespace scanshade {
-
-std::size_t Mask::count() const {
-    return std::accumulate(inside.begin(), inside.end(), std::size_t{0});
-}
-
 namespace {
 
 bool is_covered(const Framebuffer& frame, std::size_t i) {
