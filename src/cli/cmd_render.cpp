@@ -106,6 +106,19 @@ void note_verbose(const Run& run) {
     for (const EventRow& row : run.events) note("event: " + sentence(row));
 }
 
+std::vector<FrameStats> draw_frames(Renderer& renderer, const RenderArgs& args, PixelBuffer& pixels,
+                                    Progress& progress) {
+    if (args.budget_ms) renderer.draw(pixels);  // warms up: the budget is for frames in a row
+    std::vector<FrameStats> frames;
+    for (long long i = 0; i < args.repeat; ++i) {
+        progress.text(args.repeat == 1 ? fmt::format("drawing {}", args.input)
+                                       : fmt::format("drawing {}, frame {} of {}", args.input,
+                                                     i + 1, args.repeat));
+        frames.push_back(renderer.draw(pixels));
+    }
+    return frames;
+}
+
 std::string summary(const RenderArgs& args, const Run& run) {
     const double ms = median(frame_ms(run.frames));
     const std::string frames =
@@ -134,14 +147,7 @@ int run_render(OptionParser& options, char** raw_args) {
     Renderer renderer(scene, args.settings);
     const double load_ms = reading_ms + prepare_timer.ms();
     PixelBuffer pixels;
-    if (args.budget_ms) renderer.draw(pixels);  // warms up: the promise is for frames in a row
-    std::vector<FrameStats> frames;
-    for (long long i = 0; i < args.repeat; ++i) {
-        progress.text(args.repeat == 1 ? fmt::format("drawing {}", args.input)
-                                       : fmt::format("drawing {}, frame {} of {}", args.input,
-                                                     i + 1, args.repeat));
-        frames.push_back(renderer.draw(pixels));
-    }
+    std::vector<FrameStats> frames = draw_frames(renderer, args, pixels, progress);
     progress.text("writing " + args.output);
     save_png(to_image(pixels), args.output);
     progress.finish();

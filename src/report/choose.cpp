@@ -61,7 +61,6 @@ Settings settings_of(const Method& method, Settings settings) {
     settings.given.insert("shading");  // stronger than what objects say
     settings.renderer = method.renderer;
     settings.interpolation = Interpolation::perspective;
-    if (method.renderer != RendererKind::simd) settings.tolerance = 0;
     return settings;
 }
 

