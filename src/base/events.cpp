@@ -29,7 +29,7 @@ constexpr EventInfo events[] = {
      "a polygon was not strictly convex on screen, so its triangles were drawn", 0.05, "faces"},
     {Event::patch_fallback, "patch-fallback",
      "a quadrilateral had no inverse bilinear map, so barycentric weights were used", 0.05,
-     "samples"},
+     "faces"},
     {Event::zero_normal, "zero-normal",
      "an interpolated normal had no length, so the face normal was taken", 0.0005, "samples"},
     {Event::light_at_surface, "light-at-surface",

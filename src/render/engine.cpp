@@ -238,6 +238,7 @@ void Engine::Pass::shade() {
         frame_.events += worker.setup.events;
         frame_.events += worker.events;
         frame_.events += worker.shader->events;
+        frame_.count(worker.shader->fallbacks());
         frame_.saved += worker.saved;
         frame_.saved += worker.shader->saved;
         frame_.tolerated_lights += worker.shader->tolerated_lights;

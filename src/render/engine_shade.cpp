@@ -95,10 +95,14 @@ void TileShader::begin_face(std::uint32_t element, const TileBuffer& tile) {
 }
 
 void TileShader::fill_values(const Surface::Open& open, SnappedPoint p) {
-    const Place<float> at = face_.place(p);
     const auto put = [&](float(&to)[3][subtile_samples], float a, float b, float c) {
         to[0][open.at] = a, to[1][open.at] = b, to[2][open.at] = c;
     };
+    if (face_.shading == Shading::flat && face_.texture == nullptr) {
+        const Rgb<float>& lit = face_.radiance[0];
+        return put(surface_.radiance, lit.r, lit.g, lit.b);
+    }
+    const Place<float> at = face_.place(p);
     if (face_.shading == Shading::phong) {
         const Vec3<float> n = face_.normal(at);
         put(surface_.normal, n.x, n.y, n.z);

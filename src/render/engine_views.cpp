@@ -13,8 +13,10 @@ bool Engine::Pass::position_from_depth() const {
     const View& view = frame_.view;
     // `edges` carries positions linearly on the picture: not the points that depth stands for.
     if (frame_.plan.interpolation == Interpolation::edges && !view.orthographic) return false;
-    const double reach =
-        view.orthographic ? 4 * (double(view.far) - double(view.near)) : glm::length(view.eye) + 2;
+    // Of a normalised scene everything is within 2.25 radii of an eye that is the origin, else
+    // within one radius of the origin.
+    const double reach = view.orthographic ? 4 * (double(view.far) - double(view.near))
+                                           : std::max(glm::length(view.eye) + 2, 4.5);
     return state_.scene.nearest_light * 128 >= reach;
 }
 

@@ -34,6 +34,7 @@ public:
                 TexturePlanes(frame_, object, id - frame_.plan.objects[object].first_triangle);
         std::uint32_t quad[4];
         patch_ = patch_corners(frame_, drawn, quad, quad_);
+        if (!patch_ && wants_patch(frame_, drawn)) fall_back();
         vertex.assign(drawn.vertex.begin(), drawn.vertex.end());
         // A patch can fall back to its triangle at a sample, so both sets of corners are there.
         if (patch_) vertex.insert(vertex.end(), quad, quad + 4);
@@ -46,7 +47,7 @@ public:
         const auto uv =
             inverse_bilinear(quad_[0], quad_[1], quad_[2], quad_[3], {double(p.x), double(p.y)});
         if (!uv) {
-            events_.add(Event::patch_fallback);
+            fall_back();
             return place_in<T>(drawn, frame_, p, events_);
         }
         Place<T> at{};
@@ -79,8 +80,15 @@ public:
     std::vector<std::uint32_t> vertex;  // of the corners
     // Set by whoever lights points: at each corner (Gouraud), or one value (flat).
     std::vector<Rgb<T>> radiance, unreflecting;
+    PatchFallbacks fallbacks;
 
 private:
+    void fall_back() {
+        const Mesh& mesh = *frame_.scene.objects[drawn.object].mesh;
+        fallbacks.insert(frame_.plan.objects[drawn.object].first_triangle +
+                         mesh.face_first_triangle[drawn.face]);
+    }
+
     Rgb<T> value(const Place<T>& at, const std::vector<Rgb<T>>& corners) const {
         return shading == Shading::flat ? corners[0] : carry(at, corners.data());
     }

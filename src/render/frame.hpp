@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <unordered_set>
 #include <vector>
 
 #include "kernels/engine_data.hpp"
@@ -20,6 +21,10 @@ struct LitPoints {
     std::vector<T> radiance[3];      // [key]
     std::vector<T> unreflecting[3];  // [key] with albedo 0; empty where nothing is textured
 };
+
+/// Quadrilaterals of a frame that `patch` gave barycentric weights, by their first triangle in the
+/// scene: tiles, threads and sample positions see the same ones, and each counts once.
+using PatchFallbacks = std::unordered_set<std::uint32_t>;
 
 class Engine;
 
@@ -60,6 +65,12 @@ struct Frame {
     Framebuffer& target;
     EventCounts events;
     std::uint64_t items = 0;  // what the running stage worked on
+
+    void count(const PatchFallbacks& seen) {
+        for (const std::uint32_t face : seen)
+            if (patch_fallbacks.insert(face).second) events.add(Event::patch_fallback);
+    }
+    PatchFallbacks patch_fallbacks;
 };
 
 /// Fills frame.vertices.

@@ -34,6 +34,8 @@ public:
         for (std::size_t m = 0; m < batches_.size(); ++m) finish_batch(m);
     }
 
+    const PatchFallbacks& fallbacks() const { return face_.fallbacks; }
+
 private:
     void load_lit() {
         if (face_.shading == Shading::flat) load_lit(face_.drawn.face);
@@ -112,6 +114,7 @@ template <class T>
 void shade_samples(Frame& frame) {
     SampleShader<T> shader(frame);
     for (int y = 0; y < frame.view.height; ++y) shader.shade_row(y);
+    frame.count(shader.fallbacks());
 }
 
 template void shade_samples<float>(Frame&);

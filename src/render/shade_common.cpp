@@ -12,11 +12,15 @@ LightingPair<float> lighting_of<float>(const Frame& frame) {
     return {to_float(frame.lighting), to_float(frame.unlit)};
 }
 
+bool wants_patch(const Frame& frame, const DrawnFace& face) {
+    return frame.plan.interpolation == Interpolation::patch &&
+           frame.scene.objects[face.object].mesh->corner_count(face.face) == 4;
+}
+
 bool patch_corners(const Frame& frame, const DrawnFace& face, std::uint32_t (&vertex)[4],
                    PictureCorner (&corner)[4]) {
+    if (!wants_patch(frame, face)) return false;
     const Mesh& mesh = *frame.scene.objects[face.object].mesh;
-    if (frame.plan.interpolation != Interpolation::patch || mesh.corner_count(face.face) != 4)
-        return false;
     constexpr std::uint32_t order[4] = {0, 1, 3, 2};
     for (int i = 0; i < 4; ++i) {
         vertex[i] = mesh.corner[mesh.face_begin[face.face] + order[i]];

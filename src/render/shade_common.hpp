@@ -42,7 +42,11 @@ inline std::uint32_t material_of(const Frame& frame, std::size_t object, std::si
     return frame.plan.objects[object].materials[mesh.face_material[face]];
 }
 
-/// The four corners A B C D of a quadrilateral in `patch`; false: barycentric.
+/// Whether a face is a quadrilateral in `patch`.
+bool wants_patch(const Frame& frame, const DrawnFace& face);
+
+/// The four corners A B C D of a quadrilateral in `patch`. False: barycentric, also for one that is
+/// not strictly convex on the picture or reaches beyond near, far or the guard band.
 /// From the file's cyclic v0 v1 v2 v3: A = v0, B = v1, C = v3, D = v2.
 bool patch_corners(const Frame& frame, const DrawnFace& face, std::uint32_t (&vertex)[4],
                    PictureCorner (&corner)[4]);

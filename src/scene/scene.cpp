@@ -64,16 +64,30 @@ std::vector<Light> three_point_lights(const Bounds& bounds, const Camera& camera
     return lights;
 }
 
+namespace {
+
+/// Coordinates will be floats, whose steps are the finer the nearer the origin is. So that is the
+/// eye, where something may be near it. From 1.25 radii on nothing is nearer than 0.25, and rounding
+/// turns a view direction by no more than 1 + 2/0.25 = 9 u; then the centre keeps coordinates small.
+/// A camera that is fitted to the bounds is farther away than that.
+glm::dvec3 normalised_origin(const Scene& scene, const Bounds& bounds) {
+    if (!scene.camera) return bounds.centre;
+    const glm::dvec3& eye = scene.camera->position;
+    return glm::distance(eye, bounds.centre) <= 1.25 * bounds.radius ? eye : bounds.centre;
+}
+
+}  // namespace
+
 Scene normalised(const Scene& scene) {
     const Bounds bounds = scene.bounds();
     const double unit = std::exp2(std::ilogb(bounds.radius));  // world units in one of ours
-    const auto point = [&](const glm::dvec3& p) { return (p - bounds.centre) / unit; };
+    const glm::dvec3 origin = normalised_origin(scene, bounds);
+    const auto point = [&](const glm::dvec3& p) { return (p - origin) / unit; };
     Scene out = scene;
     for (Object& object : out.objects) {
-        const glm::dvec3 origin = point(glm::dvec3(object.to_world[3]));
         for (int column = 0; column < 3; ++column)
             object.to_world[column] = glm::dvec4(glm::dvec3(object.to_world[column]) / unit, 0);
-        object.to_world[3] = glm::dvec4(origin, 1);
+        object.to_world[3] = glm::dvec4(point(glm::dvec3(object.to_world[3])), 1);
     }
     for (Light& light : out.lights) {
         light.position = point(light.position);

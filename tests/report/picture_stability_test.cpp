@@ -166,6 +166,7 @@ TEST_CASE("hard scenes are what their names say", "[report][stability]") {
                 {"odd-quads", Event::concave_face},
                 {"odd-quads", Event::self_crossing_face},
                 {"odd-quads-edges", Event::edges_fallback},
+                {"odd-quads-patch", Event::patch_fallback},
                 {"normals-zero", Event::repaired_normal},
                 {"normals-opposite-edges", Event::zero_normal},
                 {"normals-cancelling", Event::cancelled_normal},

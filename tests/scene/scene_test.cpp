@@ -146,14 +146,47 @@ TEST_CASE("key light comes from the left, fill from the right, rim from behind",
     CHECK(lights[0].intensity.x > lights[1].intensity.x);
 }
 
-TEST_CASE("a normalised scene lies around 0 with a radius in [1, 2)", "[scene]") {
+TEST_CASE("a normalised scene has a radius in [1, 2) and its origin at the eye or the centre",
+          "[scene]") {
     for (const double size : {1e-30, 0.3, 1.0, 1e30}) {
         CAPTURE(size);
-        const Bounds bounds = normalised(everything(size)).bounds();
-        CHECK(glm::length(bounds.centre) < 1e-6);
-        CHECK(bounds.radius >= 1);
-        CHECK(bounds.radius < 2);
+        Scene scene = everything(size);
+        const Bounds given = scene.bounds();
+        const auto bounds_for = [&](double radii) {
+            scene.camera->position = given.centre + given.radius * radii * glm::dvec3(0.6, 0, 0.8);
+            return normalised(scene).bounds();
+        };
+        for (const double radii : {0.0, 0.3, 1.0, 1.249}) {
+            CAPTURE(radii);
+            const Bounds bounds = bounds_for(radii);
+            CHECK(normalised(scene).camera->position == glm::dvec3(0));
+            CHECK(glm::length(bounds.centre) == Approx(radii * bounds.radius).margin(1e-12));
+            CHECK(bounds.radius >= 1);
+            CHECK(bounds.radius < 2);
+        }
+        for (const double radii : {1.251, 5.0, 1e60}) {
+            CAPTURE(radii);
+            CHECK(glm::length(bounds_for(radii).centre) < 1e-6);
+            CHECK(glm::length(normalised(scene).camera->position) > 1.25);
+        }
+        scene.camera.reset();
+        CHECK(glm::length(normalised(scene).bounds().centre) < 1e-6);
     }
+}
+
+TEST_CASE("normalisation loses no digit of what is close to the eye", "[scene]") {
+    // A thing of 1e-7 beside the eye, in a scene of 1e7.
+    Scene scene = single_object_scene(quad({0, 0, 0}, 1e7, 1e7), {});
+    const glm::dvec3 eye(0x1.8p22, 0x1p20, 3), light = eye + glm::dvec3(0, 0x1p-25, 0);
+    scene.lights.resize(1);
+    scene.lights[0].kind = LightKind::point;
+    scene.lights[0].position = light;
+    scene.camera = Camera{};
+    scene.camera->position = eye;
+    const Scene n = normalised(scene);
+    const double unit = scene.bounds().radius / n.bounds().radius;
+    CHECK((n.lights[0].position - n.camera->position) * unit == light - eye);
+    CHECK(glm::vec3(n.lights[0].position) != glm::vec3(n.camera->position));
 }
 
 TEST_CASE("normalisation keeps the picture", "[scene]") {
@@ -162,9 +195,9 @@ TEST_CASE("normalisation keeps the picture", "[scene]") {
     const Bounds bounds = scene.bounds();
     const double unit = bounds.radius / n.bounds().radius;
     CHECK(std::exp2(std::round(std::log2(unit))) == Approx(unit).epsilon(1e-12));
-    CHECK(glm::length(n.camera->position * unit + bounds.centre - scene.camera->position) < 1e-12);
-    CHECK(glm::length(n.camera->focal_point * unit + bounds.centre - scene.camera->focal_point) <
-          1e-12);
+    const glm::dvec3 origin = bounds.centre - n.bounds().centre * unit;
+    CHECK(glm::length(n.camera->position * unit + origin - scene.camera->position) < 1e-12);
+    CHECK(glm::length(n.camera->focal_point * unit + origin - scene.camera->focal_point) < 1e-12);
     CHECK(*n.camera->near * unit == Approx(*scene.camera->near));
     CHECK(*n.camera->far * unit == Approx(*scene.camera->far));
     CHECK(*n.lights[0].radius * unit == Approx(*scene.lights[0].radius));
@@ -174,8 +207,7 @@ TEST_CASE("normalisation keeps the picture", "[scene]") {
         return light.attenuation.x + light.attenuation.y * d + light.attenuation.z * d * d;
     };
     const glm::dvec3 p(0.3, -0.2, 0.7);
-    CHECK(attenuation(n.lights[0], p) ==
-          Approx(attenuation(scene.lights[0], p * unit + bounds.centre)));
+    CHECK(attenuation(n.lights[0], p) == Approx(attenuation(scene.lights[0], p * unit + origin)));
     CHECK(n.lights[0].intensity == scene.lights[0].intensity);
     CHECK(n.objects[1].mesh == scene.objects[1].mesh);
 }

@@ -59,8 +59,8 @@ Scene single_object_scene(std::shared_ptr<const Mesh> mesh, Material material);
 /// Key, fill and rim light around the bounds, as seen from the camera.
 std::vector<Light> three_point_lights(const Bounds& bounds, const Camera& camera);
 
-/// The scene moved and scaled by a power of two so that its bounds have their centre at 0 and a
-/// radius in [1, 2); camera, lights, attenuation, near and far follow. The picture is the same.
+/// The scene scaled by a power of two to a radius in [1, 2), and moved: the eye is the origin, or the
+/// bounds' centre is, where that is more than 1.25 radii from the eye. The picture is the same.
 Scene normalised(const Scene& scene);
 
 }  // namespace scanshade
