@@ -182,6 +182,11 @@ void OptionParser::required_text(std::string_view names, std::string_view form, 
     state_->required.push_back({option, fmt::format("{} {}", names, form)});
 }
 
+void OptionParser::texts(std::string_view names, std::string_view form,
+                         std::vector<std::string>& values, std::string_view meaning) {
+    state_->add(names, form, meaning, [&values](const CLI::results_t& given) { values = given; });
+}
+
 void OptionParser::integer(std::string_view names, long long min, long long max, long long& value,
                            std::string_view meaning) {
     state_->add(names, "N", meaning, [=, &value](const CLI::results_t& given) {
@@ -190,6 +195,16 @@ void OptionParser::integer(std::string_view names, long long min, long long max,
             throw Error(Errc::usage, fmt::format("{} is a whole number from {} to {}, not '{}'",
                                                  names, min, max, given.back()));
         value = *number;
+    });
+}
+
+void OptionParser::positive_real(std::string_view names, std::string_view form, double max,
+                                 std::optional<double>& value, std::string_view meaning) {
+    state_->add(names, form, meaning, [=, &value](const CLI::results_t& given) {
+        value = parse_real(given.back());
+        if (!value || !(*value > 0) || *value > max)
+            throw Error(Errc::usage, fmt::format("{} is a number above 0, up to {:g}, not '{}'",
+                                                 names, max, given.back()));
     });
 }
 

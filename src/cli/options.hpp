@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -34,8 +35,14 @@ public:
               std::string_view meaning);
     void required_text(std::string_view names, std::string_view form, std::string& value,
                        std::string_view meaning);
+    /// Given any number of times.
+    void texts(std::string_view names, std::string_view form, std::vector<std::string>& values,
+               std::string_view meaning);
     void integer(std::string_view names, long long min, long long max, long long& value,
                  std::string_view meaning);
+    /// Greater than 0, at most `max`; `form` is the letter for it.
+    void positive_real(std::string_view names, std::string_view form, double max,
+                       std::optional<double>& value, std::string_view meaning);
     void flag(std::string_view names, bool& value, std::string_view meaning);
 
     /// Every row of shared_options(), or those that `only` names: its value is applied to
