@@ -11,6 +11,8 @@
 #include "scanshade/base/error.hpp"
 #include "scanshade/base/files.hpp"
 #include "scanshade/base/text.hpp"
+#include "scanshade/image/png.hpp"
+#include "scanshade/report/error_report.hpp"
 #include "scanshade/report/plan_report.hpp"
 #include "scanshade/report/speed_report.hpp"
 
@@ -48,7 +50,20 @@ Written report_speed(const std::vector<ReportInput>& inputs, const ReportArgs& a
     return {write_speed_report(report, args.folder), {}, report.partial};
 }
 
-constexpr ReportKind kinds[] = {{"plan", report_plan}, {"speed", report_speed}};
+Written report_error(const std::vector<ReportInput>& inputs, const ReportArgs& args,
+                     const Rounds& rounds, const Watch& watch) {
+    const auto keep = [&](const std::string& file, const Image& image) {
+        save_png(image, fs::path(args.folder) / file);
+    };
+    const ErrorReport report = measure_error(inputs, args.settings, rounds, watch, keep);
+    return {write_error_report(report, args.folder), {}, report.partial};
+}
+
+constexpr ReportKind kinds[] = {
+    {"plan", report_plan},
+    {"speed", report_speed},
+    {"error", report_error},
+};
 
 const ReportKind& find_kind(const std::string& name) {
     std::vector<std::string_view> names;
@@ -116,7 +131,8 @@ bool parse_args(OptionParser& options, char** args, ReportArgs& into) {
     options.positional("KIND", into.kind,
                        "plan: what each row of the plan saves, and that it changes no picture; "
                        "speed: the time of all stages against pixels, triangles, lights, samples "
-                       "and threads");
+                       "and threads; "
+                       "error: what each approximation costs in error and saves in time");
     options.optional_positionals("INPUT", into.inputs,
                                  ".obj files or .toml scenes; else those of models/scenes");
     options.required_text("-o,--output", "DIR", into.folder,

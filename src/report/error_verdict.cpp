@@ -1,0 +1,142 @@
+// The error report in sentences.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/error_parts.hpp"
+
+namespace scanshade {
+namespace {
+
+constexpr double tolerated = 1.05;    // an error that is no larger than this is as good
+constexpr double worth_saying = 0.9;  // of the time
+
+double ms(const ErrorRow& row) { return row.time->median; }
+
+/// No pixel differs from the reference by more than a level: nobody can see it.
+bool unseen(const ErrorRow& row) { return row.error("over1") == 0; }
+
+/// To the eye and by the numbers, over the whole picture.
+bool as_good(const ErrorRow& a, const ErrorRow& b) {
+    if (unseen(a)) return true;
+    return a.error("rmse") <= tolerated * b.error("rmse") &&
+           a.error("flip") <= tolerated * b.error("flip");
+}
+
+/// "a third of the time".
+std::string share_of_time(double ratio) {
+    constexpr std::string_view words[] = {"half",      "a third", "a quarter",
+                                          "a fifth",   "a sixth", "a seventh",
+                                          "an eighth", "a ninth", "a tenth"};
+    const double parts = std::round(1 / ratio);
+    if (parts >= 2 && parts <= 10 && std::abs(ratio * parts - 1) < 0.12)
+        return fmt::format("{} of the time", words[std::size_t(parts) - 2]);
+    if (ratio < 0.1) return fmt::format("1/{:.0f} of the time", 1 / ratio);
+    return fmt::format("{:.0f} % of the time", 100 * ratio);
+}
+
+std::string times(const ErrorRow& a, const ErrorRow& b) {
+    return fmt::format("{} ms instead of {} ms", short_number(ms(a)), short_number(ms(b)));
+}
+
+/// The row among those that `is` picks for which `less` is first; null: there is none.
+template <class Is, class Less>
+const ErrorRow* best_row(const std::vector<ErrorRow>& rows, Is is, Less less) {
+    const ErrorRow* best = nullptr;
+    for (const ErrorRow& row : rows)
+        if (row.time && is(row) && (best == nullptr || less(row, *best))) best = &row;
+    return best;
+}
+
+bool faster(const ErrorRow& a, const ErrorRow& b) { return ms(a) < ms(b); }
+bool nearer(const ErrorRow& a, const ErrorRow& b) { return a.error("rmse") < b.error("rmse"); }
+
+struct Saying {
+    enum class Kind { cheaper, best, other } kind = Kind::other;  // the first says the most
+    double share = 1;  // of the time of what it is as good as
+    std::string text;
+};
+
+std::string as_good_as(const ErrorRow& a, const ErrorRow& b) {
+    return fmt::format("{} is as good as {} at {} ({}{})", a.method.name, b.method.name,
+                       share_of_time(ms(a) / ms(b)), times(a, b),
+                       unseen(a) ? "; no pixel is off by more than a level" : "");
+}
+
+/// What else there is for those who want less error.
+std::string nearer_costs(const std::vector<ErrorRow>& rows, const ErrorRow& given) {
+    const ErrorRow* better = best_row(
+        rows, [&](const ErrorRow& row) { return 2 * row.error("rmse") <= given.error("rmse"); },
+        faster);
+    if (better == nullptr || unseen(given)) return {};
+    return fmt::format(" {} has {:.2g} of the error of what it asks for, at {:.2g} times the time.",
+                       better->method.name, better->error("rmse") / given.error("rmse"),
+                       ms(*better) / ms(given));
+}
+
+Saying quality_saying(const ErrorAxisResult& result, const ErrorRow& given) {
+    const ErrorRow* cheaper = best_row(
+        result.rows,
+        [&](const ErrorRow& row) {
+            return as_good(row, given) && ms(row) < worth_saying * ms(given);
+        },
+        faster);
+    if (cheaper != nullptr)
+        return {Saying::Kind::cheaper, ms(*cheaper) / ms(given),
+                as_good_as(*cheaper, given) + "." + nearer_costs(result.rows, given)};
+    const ErrorRow* dearer = best_row(
+        result.rows,
+        [&](const ErrorRow& row) {
+            return as_good(given, row) && ms(given) < worth_saying * ms(row);
+        },
+        nearer);
+    const std::string more = nearer_costs(result.rows, given);
+    if (dearer == nullptr)
+        return {Saying::Kind::other, 1,
+                fmt::format("nothing as good as {} is faster.{}", given.method.name, more)};
+    return {Saying::Kind::best, ms(given) / ms(*dearer),
+            fmt::format("{}. Nothing as good is faster.{}", as_good_as(given, *dearer), more)};
+}
+
+/// Models are not good or bad: they are other models.
+Saying model_saying(const ErrorAxisResult& result, const ErrorRow& given) {
+    const ErrorRow* nearest = best_row(
+        result.rows, [](const ErrorRow& row) { return row.error("rmse") > 0; }, nearer);
+    if (nearest == nullptr) return {};
+    return {Saying::Kind::other, 1,
+            fmt::format("of the other models {} is nearest to what it asks for, off by {} (RMSE), "
+                        "at {:.2g} times the time.",
+                        nearest->method.name, short_number(nearest->error("rmse")),
+                        ms(*nearest) / ms(given))};
+}
+
+Saying saying_of(const ErrorAxisResult& result) {
+    const ErrorRow* given = best_row(
+        result.rows, [](const ErrorRow& row) { return row.method.as_given; }, faster);
+    if (given == nullptr) return {};
+    Saying saying = result.axis->name == "model" ? model_saying(result, *given)
+                                                 : quality_saying(result, *given);
+    if (!saying.text.empty())
+        saying.text = fmt::format("{}: for this scene, {}", result.axis->name, saying.text);
+    return saying;
+}
+
+}  // namespace
+
+std::vector<std::string> verdict_of(const ErrorSceneResult& scene) {
+    std::vector<Saying> sayings;
+    for (const ErrorAxisResult& result : scene.axes) sayings.push_back(saying_of(result));
+    std::erase_if(sayings, [](const Saying& saying) { return saying.text.empty(); });
+    std::stable_sort(sayings.begin(), sayings.end(), [](const Saying& a, const Saying& b) {
+        return std::pair(a.kind, a.share) < std::pair(b.kind, b.share);
+    });
+    std::vector<std::string> sentences;
+    for (Saying& saying : sayings) {
+        saying.text[0] = char(saying.text[0] - 'a' + 'A');
+        sentences.push_back(std::move(saying.text));
+    }
+    return sentences;
+}
+
+}  // namespace scanshade
