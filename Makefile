@@ -181,10 +181,11 @@ soak: deps-test  ## N=20000 random scenes from seed FIRST=1 on every instruction
 	    SCANSHADE_SOAK_ISA=$(ISA) $(TESTS) '[.soak]'
 
 .PHONY: report
-report: deps-report  ## what the plan saves and what a frame costs, into build/report/; takes minutes
+report: deps-report  ## error against time, what the plan saves, what a frame costs: build/report/; takes minutes
 	@$(SUBMAKE) $(CLI)
 	@$(CLI) report plan -o build/report/plan
 	@$(CLI) report speed -o build/report/speed
+	@$(CLI) report error -o build/report/error
 
 CHECKS := check-selftest check-layers check-equations check-format check-headers
 HEADERS := $(shell find include -name '*.hpp' 2>/dev/null | sort)
