@@ -198,13 +198,13 @@ void OptionParser::integer(std::string_view names, long long min, long long max,
     });
 }
 
-void OptionParser::positive_real(std::string_view names, std::string_view form, double max,
-                                 std::optional<double>& value, std::string_view meaning) {
+void OptionParser::real(std::string_view names, std::string_view form, double min, double max,
+                        std::optional<double>& value, std::string_view meaning) {
     state_->add(names, form, meaning, [=, &value](const CLI::results_t& given) {
         value = parse_real(given.back());
-        if (!value || !(*value > 0) || *value > max)
-            throw Error(Errc::usage, fmt::format("{} is a number above 0, up to {:g}, not '{}'",
-                                                 names, max, given.back()));
+        if (!value || !(*value >= min && *value <= max))
+            throw Error(Errc::usage, fmt::format("{} is a number from {:g} to {:g}, not '{}'",
+                                                 names, min, max, given.back()));
     });
 }
 

@@ -40,9 +40,9 @@ public:
                std::string_view meaning);
     void integer(std::string_view names, long long min, long long max, long long& value,
                  std::string_view meaning);
-    /// Greater than 0, at most `max`; `form` is the letter for it.
-    void positive_real(std::string_view names, std::string_view form, double max,
-                       std::optional<double>& value, std::string_view meaning);
+    /// `form` is a letter for it.
+    void real(std::string_view names, std::string_view form, double min, double max,
+              std::optional<double>& value, std::string_view meaning);
     void flag(std::string_view names, bool& value, std::string_view meaning);
 
     /// Every row of shared_options(), or those that `only` names: its value is applied to

@@ -59,6 +59,26 @@ Json events_json(const std::vector<EventRow>& rows) {
     return events;
 }
 
+Json choice_json(const Choice& choice) {
+    Json candidates = Json::array();
+    for (const Candidate& candidate : choice.candidates) {
+        Json row = {{"method", candidate.method->name}, {"predicted_ms", candidate.predicted_ms}};
+        if (candidate.off) row["off"] = *candidate.off;
+        if (candidate.slowest_ms) row["slowest_ms"] = *candidate.slowest_ms;
+        candidates.push_back(std::move(row));
+    }
+    return {{"option", choice.option},
+            {"limit", choice.limit},
+            {"method", choice.method->name},
+            {"fits", choice.fits},
+            {"calibration_ms", choice.calibration_ms},
+            {"trial_ms", choice.trial_ms},
+            {"candidates", std::move(candidates)},
+            {"covered", choice.covered},
+            {"checked", choice.checked},
+            {"allowed", choice.allowed}};
+}
+
 }  // namespace
 
 Run describe_run(std::string input, const Scene& scene, const Settings& settings,
@@ -78,7 +98,7 @@ Run describe_run(std::string input, const Scene& scene, const Settings& settings
 }
 
 std::string stats_json(const Run& run) {
-    const Json json = {
+    Json json = {
         {"program", fmt::format("scanshade {}", program_version)},
         {"input", run.input},
         {"width", run.plan.width},
@@ -103,6 +123,7 @@ std::string stats_json(const Run& run) {
         {"events", events_json(run.events)},
         {"peak_memory_bytes", peak_memory_bytes()},
     };
+    if (run.choice) json["choice"] = choice_json(*run.choice);
     // Names from files need not be UTF-8; what is not becomes U+FFFD.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

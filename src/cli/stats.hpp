@@ -6,6 +6,7 @@
 
 #include "cli/events.hpp"
 #include "scanshade/render/renderer.hpp"
+#include "scanshade/report/choose.hpp"
 
 namespace scanshade {
 
@@ -19,6 +20,7 @@ struct Run {
     EventTotals totals;
     std::vector<EventRow> events;  // of loading and of the last frame
     std::size_t objects, lights;
+    const Choice* choice = nullptr;  // with --max-error or --budget-ms
 };
 
 Run describe_run(std::string input, const Scene& scene, const Settings& settings,
@@ -36,6 +38,9 @@ Run describe_run(std::string input, const Scene& scene, const Settings& settings
 ///     tolerated_lights_in_tiles   left out under --tolerance, summed over tiles
 ///     events             [{name, meaning, count, rate, allowed_rate, among}], those that happened
 ///     peak_memory_bytes
+///     choice             only with --max-error or --budget-ms: {option, limit, method, fits,
+///                        calibration_ms, trial_ms, candidates: [{method, predicted_ms, off,
+///                        slowest_ms}] (what is known of each), covered, checked, allowed}
 std::string stats_json(const Run& run);
 
 /// The most memory that this process has had resident, in bytes; 0 where the system does not say.

@@ -1,13 +1,11 @@
 // Two pictures ready to be measured: linear, encoded, and maps on demand.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "image/flip.hpp"
+#include "image/same_size.hpp"
 #include "image/ssim.hpp"
-#include "scanshade/base/error.hpp"
 #include "scanshade/base/parallel.hpp"
 #include "scanshade/image/metrics.hpp"
 
@@ -23,14 +21,6 @@ struct Comparison::State {
 };
 
 namespace {
-
-template <class Picture>
-void check_sizes(const Picture& a, const Picture& b) {
-    if (a.width != b.width || a.height != b.height)
-        throw Error(Errc::format, fmt::format("pictures of {} × {} and {} × {} pixels cannot be "
-                                              "compared; they must have the same size",
-                                              a.width, a.height, b.width, b.height));
-}
 
 /// As encode() shows it, before rounding to bytes; NaN stays.
 float encoded(float linear, float scale, Transfer transfer) {
@@ -70,7 +60,7 @@ Comparison::Side side_of(const Image& image) {
 Comparison::Comparison(const Framebuffer& picture, const Framebuffer& reference, Transfer transfer,
                        double exposure_ev)
     : state_(std::make_unique<State>()) {
-    check_sizes(picture, reference);
+    check_same_size(picture, reference);
     state_->width = picture.width, state_->height = picture.height;
     state_->picture = side_of(picture, transfer, exposure_ev);
     state_->reference = side_of(reference, transfer, exposure_ev);
@@ -85,7 +75,7 @@ Comparison::Comparison(const Framebuffer& picture, const Framebuffer& reference,
 
 Comparison::Comparison(const Image& picture, const Image& reference)
     : state_(std::make_unique<State>()) {
-    check_sizes(picture, reference);
+    check_same_size(picture, reference);
     state_->width = picture.width, state_->height = picture.height;
     state_->picture = side_of(picture);
     state_->reference = side_of(reference);

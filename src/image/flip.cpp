@@ -14,6 +14,7 @@
 #include <glm/glm.hpp>
 #include <numbers>
 
+#include "image/bands.hpp"
 #include "image/convolve.hpp"
 #include "scanshade/base/parallel.hpp"
 #include "scanshade/image/image.hpp"
@@ -21,6 +22,7 @@
 namespace scanshade {
 namespace {
 
+using Picture = std::array<std::vector<float>, 3>;  // sRGB
 using Planes = std::array<DoublePlane, 3>;
 
 struct Size {
@@ -124,12 +126,18 @@ std::vector<double> sensitivity_filter(double b, int radius, double pixels_per_d
     return gaussian(radius, std::sqrt(b / (2 * pi * pi)) * pixels_per_degree);
 }
 
+/// Of all sensitivity filters: three times the σ of the widest.
+int seen_radius(double pixels_per_degree) {
+    constexpr double pi = std::numbers::pi, widest = 0.04;
+    return int(std::ceil(3 * std::sqrt(widest / (2 * pi * pi)) * pixels_per_degree));
+}
+
 /// The plane as the eye sees it. A sum of two Gaussians is no product of rows and columns, so each
 /// term is filtered alone, and they are added in proportion to their sums over the filter.
 DoublePlane seen(const DoublePlane& plane, const Size& size, const ChannelSensitivity& channel,
                  double pixels_per_degree) {
-    constexpr double pi = std::numbers::pi, widest = 0.04;
-    const int radius = int(std::ceil(3 * std::sqrt(widest / (2 * pi * pi)) * pixels_per_degree));
+    constexpr double pi = std::numbers::pi;
+    const int radius = seen_radius(pixels_per_degree);
     double weight = 0;
     const auto term = [&](const Sensitivity& s) {
         const auto filter = sensitivity_filter(s.b, radius, pixels_per_degree);
@@ -158,9 +166,14 @@ void balance(std::vector<double>& weights) {
     for (double& w : weights) w /= w > 0 ? positive : negative;
 }
 
+double feature_sigma(double pixels_per_degree) { return 0.5 * 0.082 * pixels_per_degree; }
+int feature_radius(double pixels_per_degree) {
+    return int(std::ceil(3 * feature_sigma(pixels_per_degree)));
+}
+
 FeatureFilters feature_filters(double pixels_per_degree) {
-    const double sigma = 0.5 * 0.082 * pixels_per_degree;
-    const int radius = int(std::ceil(3 * sigma));
+    const double sigma = feature_sigma(pixels_per_degree);
+    const int radius = feature_radius(pixels_per_degree);
     FeatureFilters filters;
     filters.smooth = filters.edge = filters.point = gaussian(radius, sigma);
     for (int k = -radius; k <= radius; ++k) {
@@ -190,8 +203,7 @@ struct Seen {
     DoublePlane edges, points;
 };
 
-Seen look_at(const std::array<std::vector<float>, 3>& srgb, const Size& size,
-             double pixels_per_degree) {
+Seen look_at(const Picture& srgb, const Size& size, double pixels_per_degree) {
     Planes opponent = planes_of(size);
     for_pixels(size, [&](std::size_t i) {
         const auto linear = [&](std::size_t c) { return srgb_decode(double(srgb[c][i])); };
@@ -214,12 +226,8 @@ Seen look_at(const std::array<std::vector<float>, 3>& srgb, const Size& size,
     return result;
 }
 
-}  // namespace
-
-std::vector<float> flip_map(const std::array<std::vector<float>, 3>& a,
-                            const std::array<std::vector<float>, 3>& b, int width, int height,
-                            double pixels_per_degree) {
-    const Size size{width, height};
+std::vector<float> flip_of(const Picture& a, const Picture& b, const Size& size,
+                           double pixels_per_degree) {
     const Seen first = look_at(a, size, pixels_per_degree);
     const Seen second = look_at(b, size, pixels_per_degree);
     std::vector<float> map(a[0].size());
@@ -231,6 +239,22 @@ std::vector<float> flip_map(const std::array<std::vector<float>, 3>& a,
         map[i] = float(std::pow(colour, 1 - std::sqrt(features / std::numbers::sqrt2)));
     });
     return map;
+}
+
+}  // namespace
+
+std::vector<float> flip_map(const std::array<std::vector<float>, 3>& a,
+                            const std::array<std::vector<float>, 3>& b, int width, int height,
+                            double pixels_per_degree) {
+    const int reach = std::max(seen_radius(pixels_per_degree), feature_radius(pixels_per_degree));
+    return map_by_bands(width, height, reach, [&](int begin, int end) {
+        const auto band = [&](const Picture& picture) {
+            Picture part;
+            for (std::size_t c = 0; c < 3; ++c) part[c] = rows_of(picture[c], width, begin, end);
+            return part;
+        };
+        return flip_of(band(a), band(b), {width, end - begin}, pixels_per_degree);
+    });
 }
 
 }  // namespace scanshade

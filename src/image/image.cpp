@@ -1,20 +1,15 @@
 #include "scanshade/image/image.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
-#include "scanshade/base/error.hpp"
+#include "image/same_size.hpp"
 
 namespace scanshade {
 
 ImageDiff diff(const Image& a, const Image& b) {
-    if (a.width != b.width || a.height != b.height)
-        throw Error(Errc::format, fmt::format("pictures of {} × {} and {} × {} pixels cannot be "
-                                              "compared; they must have the same size",
-                                              a.width, a.height, b.width, b.height));
+    check_same_size(a, b);
     ImageDiff result;
     result.picture = Image(a.width, a.height);
     for (std::size_t i = 0; i < a.rgb.size(); i += 3) {

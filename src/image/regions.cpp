@@ -1,19 +1,11 @@
 // Where pictures show surfaces, and where those end.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
-#include "scanshade/base/error.hpp"
+#include "image/same_size.hpp"
 #include "scanshade/image/metrics.hpp"
 
 namespace scanshade {
-
-std::size_t Mask::count() const {
-    return std::accumulate(inside.begin(), inside.end(), std::size_t{0});
-}
-
 namespace {
 
 bool is_covered(const Framebuffer& frame, std::size_t i) {
@@ -85,10 +77,7 @@ Mask widened(const Mask& mask) {
 }  // namespace
 
 Regions regions_of(const Framebuffer& a, const Framebuffer& b) {
-    if (a.width != b.width || a.height != b.height)
-        throw Error(Errc::format, fmt::format("frames of {} × {} and {} × {} pixels cannot be "
-                                              "compared; they must have the same size",
-                                              a.width, a.height, b.width, b.height));
+    check_same_size(a, b);
     Mask edges(a.width, a.height);
     mark_edges(a, edges);
     mark_edges(b, edges);

@@ -8,14 +8,18 @@
 // open, and so every pixel has a value, also of a picture that is smaller than the window.
 #include "image/ssim.hpp"
 
+#include "image/bands.hpp"
 #include "image/convolve.hpp"
 
 namespace scanshade {
+namespace {
 
-std::vector<float> ssim_map(const std::vector<float>& a, const std::vector<float>& b, int width,
-                            int height) {
-    constexpr double c1 = 0.01 * 0.01, c2 = 0.03 * 0.03;
-    static const std::vector<double> window = gaussian(5, 1.5);
+constexpr int radius = 5;
+constexpr double c1 = 0.01 * 0.01, c2 = 0.03 * 0.03;
+
+std::vector<float> ssim_of(const std::vector<float>& a, const std::vector<float>& b, int width,
+                           int height) {
+    static const std::vector<double> window = gaussian(radius, 1.5);
     const auto mean_of = [&](auto&& value) {
         DoublePlane plane(a.size());
         for (std::size_t i = 0; i < plane.size(); ++i) plane[i] = value(double(a[i]), double(b[i]));
@@ -35,6 +39,16 @@ std::vector<float> ssim_map(const std::vector<float>& a, const std::vector<float
             float((2 * product + c1) * (2 * covariance + c2) / ((square + c1) * (variances + c2)));
     }
     return map;
+}
+
+}  // namespace
+
+std::vector<float> ssim_map(const std::vector<float>& a, const std::vector<float>& b, int width,
+                            int height) {
+    return map_by_bands(width, height, radius, [&](int begin, int end) {
+        return ssim_of(rows_of(a, width, begin, end), rows_of(b, width, begin, end), width,
+                       end - begin);
+    });
 }
 
 }  // namespace scanshade

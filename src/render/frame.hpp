@@ -40,6 +40,7 @@ struct Frame {
     bool first_sample = true;
     std::vector<float> depth;       // 0: nothing there
     std::vector<std::uint32_t> id;  // Framebuffer::no_triangle: none
+    const Mask* only = nullptr;     // scalar: nothing is visible elsewhere
 
     std::vector<LitPoints<float>> lit_f32;  // [object]
     std::vector<LitPoints<double>> lit_f64;

@@ -7,6 +7,7 @@
 #include "render/engine.hpp"
 #include "render/lighting.hpp"
 #include "render/stages.hpp"
+#include "scanshade/base/error.hpp"
 #include "scanshade/base/timer.hpp"
 #include "scanshade/kernels/isa.hpp"
 
@@ -104,7 +105,15 @@ PictureView picture_view(const RenderPlan& plan) {
 
 }  // namespace
 
-FrameStats Renderer::draw(Framebuffer& target) {
+FrameStats Renderer::draw(Framebuffer& frame) { return draw_planes(frame, nullptr); }
+
+FrameStats Renderer::draw(Framebuffer& frame, const Mask& only) {
+    SCANSHADE_CHECK(state_->plan.renderer != RendererKind::simd);
+    SCANSHADE_CHECK(only.width == state_->plan.width && only.height == state_->plan.height);
+    return draw_planes(frame, &only);
+}
+
+FrameStats Renderer::draw_planes(Framebuffer& target, const Mask* only) {
     const RenderPlan& plan = state_->plan;
     if (target.width != plan.width || target.height != plan.height)
         target = Framebuffer(plan.width, plan.height);
@@ -114,6 +123,7 @@ FrameStats Renderer::draw(Framebuffer& target) {
     FrameStats stats;
     const Timer timer;
     Frame frame(state_->scene, plan, target);
+    frame.only = only;
     frame.engine = state_->engine.get();
     frame.picture = picture_view(plan);
     frame.picture.r = target.r.data();

@@ -146,6 +146,7 @@ void find_visible(Frame& frame) {
     visit_coverage(frame, [&frame](const DrawnFace& face, int y, int begin, int end) {
         std::size_t at = frame.target.index(begin, y);
         for (int x = begin; x < end; ++x, ++at) {
+            if (frame.only && !frame.only->inside[at]) continue;
             const float z = depth_at(face, frame, sample_point(x, y, frame.sample));
             const bool nearer =
                 z > frame.depth[at] || (z == frame.depth[at] && face.id < frame.id[at]);

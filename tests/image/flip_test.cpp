@@ -98,6 +98,21 @@ TEST_CASE("FLIP of a point and of an edge", "[flip]") {
     CHECK(at(edge, 20, 24) == 0);
 }
 
+TEST_CASE("FLIP of a tall picture has no seams", "[flip]") {
+    // Rows repeat after 7; so does the map, away from both ends, wherever it was divided.
+    constexpr int w = 12, h = 700;
+    Picture a, b;
+    for (int c = 0; c < 3; ++c)
+        for (int y = 0; y < h; ++y)
+            for (int x = 0; x < w; ++x) {
+                a[std::size_t(c)].push_back(float((y % 7 * 31 + x * 13 + c * 50) % 256) / 255);
+                b[std::size_t(c)].push_back(float((y % 7 * 29 + x * 17 + c * 40) % 256) / 255);
+            }
+    const auto map = flip_map(a, b, w, h);
+    for (int i = 14 * w; i < (h - 21) * w; ++i)
+        REQUIRE(map[std::size_t(i)] == map[std::size_t(i + 7 * w)]);
+}
+
 TEST_CASE("FLIP takes either picture for the reference", "[flip]") {
     CHECK(flip_map(pattern(1), pattern(0), width, height) ==
           flip_map(pattern(0), pattern(1), width, height));

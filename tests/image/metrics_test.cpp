@@ -211,3 +211,18 @@ TEST_CASE("structural similarity is its formula in a window of 11 × 11", "[metr
     const Comparison flat(filled(9, 9, 0.25f, 0, 0), filled(9, 9, 0.5f, 0, 0), Transfer::linear, 0);
     CHECK(value("ssim", flat, {0, 1}) == Approx((2 * 0.125 + 1e-4) / (0.3125 + 1e-4)));
 }
+
+TEST_CASE("structural similarity of a tall picture has no seams", "[metrics]") {
+    // Rows repeat after 7; so does the map, away from both ends, wherever it was divided.
+    constexpr int w = 4, h = 700;
+    Framebuffer a(w, h), b(w, h);
+    for (int y = 0; y < h; ++y)
+        for (int x = 0; x < w; ++x) {
+            a.g[a.index(x, y)] = 0.5f + 0.4f * std::sin(float(y % 7 * 3 + x));
+            b.g[b.index(x, y)] = 0.5f + 0.4f * std::sin(float(y % 7 * 5 + x));
+        }
+    const Comparison pair(a, b, Transfer::linear, 0);
+    const Comparison::Plane& map = pair.ssim_map(1);
+    for (int i = 7 * w; i < (h - 14) * w; ++i)
+        REQUIRE(map[std::size_t(i)] == map[std::size_t(i + 7 * w)]);
+}

@@ -58,6 +58,8 @@ TEST_CASE("steep slopes and creases are no edges, jumps of depth are", "[metrics
     CHECK(middle_row(frame, frame) == std::string(20, 'i'));
     put_surface(frame, 10, 20, [](int) { return 0.3; });
     CHECK(middle_row(frame, frame) == "iiiiiiiiSSSSiiiiiiii");
+    put_surface(frame, 0, 20, [](int x) { return x < 10 ? 0.5 : 0.49; });
+    CHECK(middle_row(frame, frame) == "iiiiiiiiSSSSiiiiiiii");
     // A hundredth of the depth is too little to be another object.
     put_surface(frame, 0, 20, [](int x) { return x < 10 ? 0.5 : 0.503; });
     CHECK(middle_row(frame, frame) == std::string(20, 'i'));

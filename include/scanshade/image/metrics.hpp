@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -12,18 +11,9 @@
 
 #include "scanshade/image/framebuffer.hpp"
 #include "scanshade/image/image.hpp"
+#include "scanshade/image/mask.hpp"
 
 namespace scanshade {
-
-/// Some pixels of a picture, [y·width + x].
-struct Mask {
-    int width = 0, height = 0;
-    std::vector<std::uint8_t> inside;  // 1 or 0
-
-    Mask() = default;
-    Mask(int w, int h) : width(w), height(h), inside(std::size_t(w) * std::size_t(h)) {}
-    std::size_t count() const;
-};
 
 /// Where two pictures of one view show surfaces.
 struct Regions {

@@ -8,6 +8,7 @@
 
 #include "scanshade/base/events.hpp"
 #include "scanshade/image/framebuffer.hpp"
+#include "scanshade/image/mask.hpp"
 #include "scanshade/render/plan.hpp"
 #include "scanshade/scene/scene.hpp"
 
@@ -47,11 +48,17 @@ public:
     /// several samples a pixel, colour is their mean, depth and id are those of the first sample.
     FrameStats draw(Framebuffer& frame);
 
+    /// Draws these pixels alone, to the same bits; the others show the background. Only for the
+    /// scalar renderers, for which shading is dear.
+    FrameStats draw(Framebuffer& frame, const Mask& only);
+
     /// Draws a frame into bytes, encoded as the settings say. The simd renderer writes them at once
     /// and nothing else; they are the bytes of encode(Framebuffer).
     FrameStats draw(PixelBuffer& pixels);
 
 private:
+    FrameStats draw_planes(Framebuffer& frame, const Mask* only);
+
     struct State;
     std::unique_ptr<State> state_;
 };
