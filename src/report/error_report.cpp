@@ -16,6 +16,8 @@
 namespace scanshade {
 namespace {
 
+constexpr int most_at_once = 8;  // comparisons: each takes as much memory as thirty pictures
+
 constexpr std::string_view region_names[] = {"all", "covered", "interior", "silhouette"};
 
 /// A method made ready: its kernels are those of its own instruction set whenever it draws.
@@ -118,7 +120,7 @@ public:
         keep_(result.reference_picture, encode(reference.picture, s.transfer, s.exposure_ev));
         ++steps_.done;
         std::vector<ErrorMethod> methods = axis_.methods(input_);
-        const std::size_t at_once = std::size_t(available_threads());
+        const std::size_t at_once = std::size_t(std::min(available_threads(), most_at_once));
         for (std::size_t i = 0; i < methods.size() && !steps_.watch.stopped(); i += at_once)
             add_rows(std::span(methods).subspan(i, std::min(at_once, methods.size() - i)),
                      reference.picture, result.rows);
@@ -199,12 +201,11 @@ void measure_scene(const ReportInput& input, std::span<const ErrorAxis* const> a
     const Settings& s = input.settings;
     report.scenes.push_back({input.scene.name, s.width, s.height, {}, {}});
     ErrorSceneResult& scene = report.scenes.back();
-    for (const ErrorAxis* axis : axes) {
-        if (steps.watch.stopped()) break;
-        scene.axes.push_back(measure_error_axis(*axis, input,
-                                                fmt::format("{} {}", number, input.scene.name),
-                                                rounds, steps, keep, make));
-    }
+    constexpr std::size_t longest = 40;  // of what a scene adds to the names of files
+    const std::string name = fmt::format("{} {}", number, input.scene.name.substr(0, longest));
+    for (const ErrorAxis* axis : axes)
+        if (!steps.watch.stopped())
+            scene.axes.push_back(measure_error_axis(*axis, input, name, rounds, steps, keep, make));
     scene.verdict = verdict_of(scene);
 }
 

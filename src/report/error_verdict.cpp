@@ -111,12 +111,36 @@ Saying model_saying(const ErrorAxisResult& result, const ErrorRow& given) {
                         ms(*nearest) / ms(given))};
 }
 
+/// What half the size of polygons does to the mean error.
+Saying convergence_saying(const ErrorAxisResult& result, const ErrorRow&) {
+    std::string text;
+    for (const ErrorOrder& order : result.orders)
+        if (order.metric == "mae" && order.region == ErrorRegion::covered)
+            text += fmt::format("{}{:.1f} ({})", text.empty() ? "" : ", ",
+                                std::exp2(order.order.value), order.series);
+    if (text.empty()) return {};
+    return {Saying::Kind::other, 1,
+            "polygons half as large divide the mean error of what both pictures cover by " + text +
+                "."};
+}
+
+/// Axes on which nothing is better than something else.
+constexpr struct {
+    std::string_view axis;
+    Saying (*say)(const ErrorAxisResult& result, const ErrorRow& given);
+} other_sayings[] = {{"model", model_saying}, {"convergence", convergence_saying}};
+
+Saying quality_or_other(const ErrorAxisResult& result, const ErrorRow& given) {
+    for (const auto& other : other_sayings)
+        if (other.axis == result.axis->name) return other.say(result, given);
+    return quality_saying(result, given);
+}
+
 Saying saying_of(const ErrorAxisResult& result) {
     const ErrorRow* given = best_row(
         result.rows, [](const ErrorRow& row) { return row.method.as_given; }, faster);
     if (given == nullptr) return {};
-    Saying saying = result.axis->name == "model" ? model_saying(result, *given)
-                                                 : quality_saying(result, *given);
+    Saying saying = quality_or_other(result, *given);
     if (!saying.text.empty())
         saying.text = fmt::format("{}: for this scene, {}", result.axis->name, saying.text);
     return saying;

@@ -347,6 +347,21 @@ TEST_CASE("the verdict says what is as good and takes less time", "[report]") {
     CHECK(verdict_of(scene).empty());
 }
 
+TEST_CASE("the verdict on a sphere says what finer polygons bring", "[report]") {
+    const ErrorStudy study = convergence_studies({}).front();
+    ErrorSceneResult scene{"s", 8, 8, {{study.axis, {}, {}, 0, {}, {}, {}}}, {}};
+    for (const double n : {4, 8, 16}) {
+        ErrorMethod method = named("phong", n == 8);
+        method.amount = n;
+        scene.axes[0].rows.push_back(row_with(method, n, 1 / n));
+        scene.axes[0].rows.back().regions[1].values[metric_index("mae")] = 1 / (n * n);
+    }
+    finish_orders(scene.axes[0]);
+    REQUIRE(verdict_of(scene).size() == 1);
+    CHECK(verdict_of(scene)[0].find("what both pictures cover by 4.0 (phong).") !=
+          std::string::npos);
+}
+
 TEST_CASE("the error report's files have every row, and say when they are partial", "[report]") {
     ErrorReport report{provenance({}, 1), true, {}};
     report.scenes.push_back({"a <b>", 80, 60, {measured("aliasing", matt_teapot()).result}, {}});
