@@ -156,7 +156,7 @@ private:
         prepare(method.input.scene);
         subjects_.push_back(std::make_unique<Subject>(method.input, make_));
         Subject& subject = *subjects_.back();
-        ErrorRow row{std::move(method), {}, subject.memory, 0, {}, {}, false};
+        ErrorRow row{std::move(method), {}, subject.memory, 0, {}, {}, {}, false};
         row.triangles = row.method.input.scene.triangle_count();
         row.picture = file_name(fmt::format("{} {} {}", name_, axis_.name, row.method.name));
         keep_(row.picture, subject.image());
@@ -179,7 +179,10 @@ private:
         const FrameTable frames = time_interleaved(draws, rounds, stopped);
         if (!steps_.watch.stopped()) ++steps_.done;
         for (std::size_t i = 0; i < rows.size(); ++i)
-            if (!frames[i].empty()) rows[i].time = times_of(frame_ms(frames[i]));
+            if (!frames[i].empty()) {
+                rows[i].run_ms = frame_ms(frames[i]);
+                rows[i].time = times_of(rows[i].run_ms);
+            }
     }
 
     const ErrorAxis& axis_;

@@ -24,6 +24,16 @@ bool as_good(const ErrorRow& a, const ErrorRow& b) {
            a.error("flip") <= tolerated * b.error("flip");
 }
 
+/// By enough to be worth saying, and not by chance.
+bool surely_faster(const ErrorRow& a, const ErrorRow& b) {
+    return ms(a) < worth_saying * ms(b) && paired_difference(b.run_ms, a.run_ms).low > 0;
+}
+
+/// "3.2 times", "850 times".
+std::string factor(double f) {
+    return f < 10 ? fmt::format("{:.2g} times", f) : fmt::format("{:.0f} times", f);
+}
+
 /// "a third of the time".
 std::string share_of_time(double ratio) {
     constexpr std::string_view words[] = {"half",      "a third", "a quarter",
@@ -65,31 +75,28 @@ std::string as_good_as(const ErrorRow& a, const ErrorRow& b) {
 }
 
 /// What else there is for those who want less error.
-std::string nearer_costs(const std::vector<ErrorRow>& rows, const ErrorRow& given) {
+std::string nearer_costs(const std::vector<ErrorRow>& rows, const ErrorRow& given,
+                         const ErrorRow* said = nullptr) {
     const ErrorRow* better = best_row(
         rows, [&](const ErrorRow& row) { return 2 * row.error("rmse") <= given.error("rmse"); },
         faster);
-    if (better == nullptr || unseen(given)) return {};
-    return fmt::format(" {} has {:.2g} of the error of what it asks for, at {:.2g} times the time.",
+    if (better == nullptr || better == said || unseen(given)) return {};
+    return fmt::format(" {} has {:.2g} of the error of what it asks for, at {} the time.",
                        better->method.name, better->error("rmse") / given.error("rmse"),
-                       ms(*better) / ms(given));
+                       factor(ms(*better) / ms(given)));
 }
 
 Saying quality_saying(const ErrorAxisResult& result, const ErrorRow& given) {
     const ErrorRow* cheaper = best_row(
         result.rows,
-        [&](const ErrorRow& row) {
-            return as_good(row, given) && ms(row) < worth_saying * ms(given);
-        },
+        [&](const ErrorRow& row) { return as_good(row, given) && surely_faster(row, given); },
         faster);
     if (cheaper != nullptr)
         return {Saying::Kind::cheaper, ms(*cheaper) / ms(given),
-                as_good_as(*cheaper, given) + "." + nearer_costs(result.rows, given)};
+                as_good_as(*cheaper, given) + "." + nearer_costs(result.rows, given, cheaper)};
     const ErrorRow* dearer = best_row(
         result.rows,
-        [&](const ErrorRow& row) {
-            return as_good(given, row) && ms(given) < worth_saying * ms(row);
-        },
+        [&](const ErrorRow& row) { return as_good(given, row) && surely_faster(given, row); },
         nearer);
     const std::string more = nearer_costs(result.rows, given);
     if (dearer == nullptr)
@@ -106,9 +113,9 @@ Saying model_saying(const ErrorAxisResult& result, const ErrorRow& given) {
     if (nearest == nullptr) return {};
     return {Saying::Kind::other, 1,
             fmt::format("of the other models {} is nearest to what it asks for, off by {} (RMSE), "
-                        "at {:.2g} times the time.",
+                        "at {} the time.",
                         nearest->method.name, short_number(nearest->error("rmse")),
-                        ms(*nearest) / ms(given))};
+                        factor(ms(*nearest) / ms(given)))};
 }
 
 /// What half the size of polygons does to the mean error.

@@ -84,9 +84,10 @@ struct ErrorRow {
     std::array<RegionErrors, error_region_count> regions;
     std::uint64_t memory = 0;  // bytes that it holds beside the scene and the picture; 0: unknown
     std::uint64_t triangles = 0;
-    std::string picture;        // name of its PNG
-    std::optional<Times> time;  // nothing: interrupted before
-    bool on_front = false;      // no row is both faster and nearer to the reference, by RMSE
+    std::string picture;         // name of its PNG
+    std::optional<Times> time;   // nothing: interrupted before
+    std::vector<double> run_ms;  // run i of all rows took place at about the same time
+    bool on_front = false;       // no row is both faster and nearer to the reference, by RMSE
 
     double error(std::string_view metric, ErrorRegion region = ErrorRegion::all) const;
     /// 1/(MSE · seconds); infinite without an error.
