@@ -209,12 +209,14 @@ check-headers:
 	    $(filter-out -M%,$(CXXFLAGS_COMMON)) -Werror
 
 .PHONY: docs
-docs: deps-demo  ## write docs/equations.md and the pictures of README.md again
+docs: deps-report  ## write docs/equations.md and the pictures of README.md again
 	@python3 tests/support/check_equations.py --write
 	@$(SUBMAKE) $(CLI)
 	@mkdir -p docs/images
 	$(CLI) render $(DEMO_SCENE) --resolution 960,540 --samples 16 -o docs/images/teapot.png
 	$(CLI) sheet $(DEMO_SCENE) --resolution 240,180 --samples 16 -o docs/images/sheet.png
+	$(CLI) report error $(DEMO_SCENE) --resolution 480,360 --threads 1 --runs 21 -o build/docs/error
+	cp build/docs/error/interpolation-1.svg docs/images/error.svg
 
 .PHONY: golden golden-accept
 golden: deps-test  ## compare pictures with golden/; drawn ones and differences go to build/golden/

@@ -149,6 +149,7 @@ constexpr std::string_view highlight_note =
 void add_scene(const ErrorReport& report, std::size_t i, bool with_plots, Page& page) {
     const ErrorSceneResult& scene = report.scenes[i];
     page.section(fmt::format("{}, {} × {} pixels", scene.name, scene.width, scene.height));
+    for (std::size_t v = 1; v < scene.verdict.size(); ++v) page.verdict(scene.verdict[v]);
     for (const ErrorAxisResult& result : scene.axes)
         add_axis(scene, result, i + 1, with_plots, page);
     if (!scene.axes.empty() && scene.axes.front().axis->name == "convergence")
@@ -168,10 +169,7 @@ std::string error_page(const ErrorReport& report, bool with_plots) {
             "are missing.");
     page.section("Verdict");
     for (const ErrorSceneResult& scene : report.scenes)
-        for (std::size_t i = 0; i < scene.verdict.size(); ++i) {
-            const std::string text = scene.name + ". " + scene.verdict[i];
-            i == 0 ? page.verdict(text) : page.paragraph(text);
-        }
+        if (!scene.verdict.empty()) page.verdict(scene.name + ". " + scene.verdict.front());
     page.paragraph(
         "As good: RMSE and FLIP of the whole picture are no more than 5 % larger, or no pixel is "
         "off "
