@@ -182,10 +182,11 @@ soak: deps-test  ## N=20000 random scenes from seed FIRST=1 on every instruction
 	    SCANSHADE_SOAK_ISA=$(ISA) $(TESTS) '[.soak]'
 
 .PHONY: report
-report: deps-report  ## all reports, into build/report/: plan, speed, stability; takes minutes
+report: deps-report  ## all reports, into build/report/: error, plan, speed, stability; takes minutes
 	@$(SUBMAKE) $(CLI)
 	@$(CLI) report plan -o build/report/plan
 	@$(CLI) report speed -o build/report/speed
+	@$(CLI) report error -o build/report/error
 	@$(CLI) report stability -o build/report/stability
 
 CHECKS := check-selftest check-layers check-equations check-format check-headers
@@ -223,6 +224,8 @@ docs: deps-report  ## write docs/equations.md and all pictures of README.md and 
 	$(CLI) report stability -o build/report/stability
 	@mkdir -p docs/images/stability
 	cp $(STABILITY_PICTURES:%=build/report/stability/%) docs/images/stability/
+	$(CLI) report error $(DEMO_SCENE) --resolution 480,360 --threads 1 --runs 21 -o build/report/error-docs
+	cp build/report/error-docs/interpolation-1.svg docs/images/error.svg
 
 .PHONY: golden golden-accept
 golden: deps-test  ## compare pictures with golden/; drawn ones and differences go to build/golden/

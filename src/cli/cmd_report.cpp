@@ -11,6 +11,8 @@
 #include "scanshade/base/error.hpp"
 #include "scanshade/base/files.hpp"
 #include "scanshade/base/text.hpp"
+#include "scanshade/image/png.hpp"
+#include "scanshade/report/error_report.hpp"
 #include "scanshade/report/plan_report.hpp"
 #include "scanshade/report/speed_report.hpp"
 #include "scanshade/report/stability_report.hpp"
@@ -56,9 +58,19 @@ Written report_stability(const std::vector<ReportInput>& inputs, const ReportArg
     return {write_stability_report(report, args.folder), report.faults(), report.partial};
 }
 
+Written report_error(const std::vector<ReportInput>& inputs, const ReportArgs& args,
+                     const Rounds& rounds, const Watch& watch) {
+    const auto keep = [&](const std::string& file, const Image& image) {
+        save_png(image, fs::path(args.folder) / file);
+    };
+    const ErrorReport report = measure_error(inputs, args.settings, rounds, watch, keep);
+    return {write_error_report(report, args.folder), {}, report.partial};
+}
+
 constexpr ReportKind kinds[] = {
     {"plan", true, report_plan},
     {"speed", true, report_speed},
+    {"error", true, report_error},
     {"stability", false, report_stability},
 };
 
@@ -130,8 +142,9 @@ bool parse_args(OptionParser& options, char** args, ReportArgs& into) {
     options.positional("KIND", into.kind,
                        "plan: what each row of the plan saves, and that it changes no picture; "
                        "speed: the time of all stages against pixels, triangles, lights, samples "
-                       "and threads; stability: errors of equations and of pictures where numbers "
-                       "are in danger");
+                       "and threads; error: what each approximation costs in error and saves in "
+                       "time; stability: errors of equations and of pictures where numbers are in "
+                       "danger");
     options.optional_positionals("INPUT", into.inputs,
                                  ".obj files or .toml scenes; else those of models/scenes, but for "
                                  "stability none besides its own hard cases");

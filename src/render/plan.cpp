@@ -56,6 +56,8 @@ void plan_materials(const Scene& scene, const Settings& settings, RenderPlan& pl
         for (const std::uint32_t material : object.materials) used[material] = true;
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
         plan.materials.push_back(resolve_material(scene.materials[i], settings.brdf, settings.set));
+        if (settings.power == PowerForm::exp_log)
+            for (Exponent& s : plan.materials.back().params.exponent) s = by_exp_log(s);
         if (!used[i]) continue;
         const ResolvedMaterial& material = plan.materials.back();
         ++plan.used_materials;

@@ -13,6 +13,7 @@ body { font: 16px/1.5 system-ui, sans-serif; color: #22262c; background: #fff;
        max-width: 68rem; margin: 0 auto; padding: 1rem; overflow-wrap: break-word; }
 h1 { font-size: 1.7rem; line-height: 1.2; margin: .5rem 0; }
 h2 { font-size: 1.25rem; margin: 2rem 0 .5rem; border-bottom: 1px solid #d5d8dc; }
+h3 { font-size: 1.05rem; margin: 1.5rem 0 .3rem; }
 .lead { font-size: 1.1rem; color: #444a52; }
 .notice { border-left: 4px solid #b3541e; background: #fdf3ec; padding: .5rem 1rem; }
 .verdict { border-left: 4px solid #0b6b3a; background: #eef7f1; padding: .5rem 1rem; }
@@ -41,6 +42,12 @@ tr { break-inside: avoid; }
 std::string element(std::string_view name, std::string_view style, std::string_view text) {
     const std::string attribute = style.empty() ? "" : fmt::format(" class=\"{}\"", style);
     return fmt::format("<{}{}>{}</{}>", name, attribute, escaped(text), name);
+}
+
+std::string table_cell(const Cell& cell) {
+    if (cell.file.empty()) return element("td", cell.style, cell.text);
+    return fmt::format("<td class=\"{}\"><a href=\"{}\">{}</a></td>", cell.style,
+                       escaped(cell.file), escaped(cell.text));
 }
 
 }  // namespace
@@ -86,13 +93,15 @@ void Page::verdict(std::string_view text, bool good) {
 }
 void Page::notice(std::string_view text) { body_ += element("p", "notice", text) + "\n"; }
 void Page::section(std::string_view title) { body_ += element("h2", "", title) + "\n"; }
+void Page::subsection(std::string_view title) { body_ += element("h3", "", title) + "\n"; }
 void Page::paragraph(std::string_view text) { body_ += element("p", "", text) + "\n"; }
 
 void Page::figures(const std::vector<Figure>& figures) {
     body_ += "<div class=\"figures\">\n";
-    for (const auto& [file, caption, wide] : figures)
-        body_ += fmt::format("<figure{}><img src=\"{}\" alt=\"{}\">{}</figure>\n",
-                             wide ? " class=\"wide\"" : "", escaped(file), escaped(caption),
+    for (const auto& [file, caption, wide, width] : figures)
+        body_ += fmt::format("<figure{}><img src=\"{}\"{} alt=\"{}\">{}</figure>\n",
+                             wide ? " class=\"wide\"" : "", escaped(file),
+                             width > 0 ? fmt::format(" width=\"{}\"", width) : "", escaped(caption),
                              element("figcaption", "", caption));
     body_ += "</div>\n";
 }
@@ -103,7 +112,7 @@ void Page::table(const std::vector<std::string>& head, const std::vector<std::ve
     body_ += "</tr></thead>\n<tbody>\n";
     for (const std::vector<Cell>& row : rows) {
         body_ += "<tr>";
-        for (const Cell& cell : row) body_ += element("td", cell.style, cell.text);
+        for (const Cell& cell : row) body_ += table_cell(cell);
         body_ += "</tr>\n";
     }
     body_ += "</tbody></table></div>\n";

@@ -18,6 +18,7 @@ constexpr std::string_view shadings[] = {"flat", "gouraud", "phong"};
 constexpr std::string_view interpolations[] = {"perspective", "edges", "patch"};
 constexpr std::string_view renderers[] = {"simd", "scalar-f32", "scalar-f64"};
 constexpr std::string_view isas[] = {"auto", "avx3", "avx2", "sse4", "ssse3", "scalar"};
+constexpr std::string_view powers[] = {"squaring", "exp-log"};
 constexpr std::string_view transfers[] = {"srgb", "linear"};
 constexpr std::string_view projections[] = {"perspective", "orthographic"};
 constexpr std::string_view normal_sources[] = {"file", "average", "area", "angle"};
@@ -171,6 +172,9 @@ constexpr OptionInfo options[] = {
     {"threads", "N", "threads of the simd renderer; 0: all that the machine runs", false, false,
      set_threads},
     {"samples", "N", "samples a pixel, a square number from 1 to 1024", false, false, set_samples},
+    {"power", "squaring|exp-log", "how a whole exponent is raised: by squaring, or as e^(s log x)",
+     false, false,
+     [](Settings& s, std::string_view v) { s.power = choice<PowerForm>("power", powers, v); }},
     {"transfer", "srgb|linear", "curve from radiance to bytes", false, false,
      [](Settings& s, std::string_view v) {
          s.transfer = choice<Transfer>("transfer", transfers, v);
@@ -233,6 +237,7 @@ constexpr OptionInfo options[] = {
 std::span<const std::string_view> shading_names() { return shadings; }
 std::span<const std::string_view> interpolation_names() { return interpolations; }
 std::span<const std::string_view> renderer_names() { return renderers; }
+std::span<const std::string_view> power_form_names() { return powers; }
 
 std::span<const OptionInfo> shared_options() { return options; }
 

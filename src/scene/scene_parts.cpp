@@ -182,7 +182,7 @@ const ObjectReader::Source& ObjectReader::shape_source(const TomlReader& reader,
     const auto [at, is_new] = sources_.try_emplace(fmt::format("shape {} {}", name, n));
     Source& source = at->second;
     if (!is_new) return source;
-    source.mesh = std::make_shared<Mesh>(build_mesh(shape.make(static_cast<int>(n)), {}));
+    source.mesh = make_shape_mesh(shape, static_cast<int>(n));
     add_materials(source, shape.materials());
     scene_.events += source.mesh->events;
     return source;

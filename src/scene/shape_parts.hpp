@@ -11,8 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "scanshade/scene/material.hpp"
-#include "scanshade/scene/mesh.hpp"
+#include "scanshade/scene/shapes.hpp"
 
 namespace scanshade {
 
@@ -72,9 +71,11 @@ private:
 
 /// Newell's teapot (shape_teapot.cpp).
 PolygonSoup make_teapot(int n);
+SmoothPoint smooth_teapot(int patch, double u, double v);
 
 /// Hills (shape_terrain.cpp).
 PolygonSoup make_terrain(int n);
+SmoothPoint smooth_terrain(int patch, double u, double v);
 
 /// The Cornell box (shape_cornell_box.cpp).
 PolygonSoup make_cornell_box(int n);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
+#include <iterator>
 
 #include "scene/shape_parts.hpp"
 #include "scene/teapot_data.hpp"
@@ -24,8 +25,8 @@ struct Bernstein {
 };
 
 /// The products of whole numbers are exact, so value[k] at t is value[3 - k] at 1 - t to the bit.
-Bernstein bernstein(int step, int n) {
-    const double t = step, s = n - step, n2 = double(n) * n, n3 = n2 * n;
+Bernstein bernstein(double t, double n) {
+    const double s = n - t, n2 = n * n, n3 = n2 * n;
     return {{s * s * s / n3, 3 * t * s * s / n3, 3 * t * t * s / n3, t * t * t / n3},
             {-3 * s * s / n2, 3 * s * (s - 2 * t) / n2, 3 * t * (2 * s - t) / n2, 3 * t * t / n2}};
 }
@@ -43,7 +44,8 @@ public:
             control_[k / 4][k % 4] = to_shape(teapot_points[points[k]]);
     }
 
-    SurfacePoint at(int row, int column, int n) const {
+    /// With derivatives along (row/n, column/n), of which the texture coordinates run against.
+    SmoothPoint at(double row, double column, double n) const {
         const Bernstein across = bernstein(row, n), along = bernstein(column, n);
         std::array<glm::dvec3, 4> curve, slope;  // of each row at the column
         for (std::size_t r = 0; r < 4; ++r) {
@@ -59,9 +61,7 @@ public:
         const glm::dvec3 d_along =
             row == 0 && is_pole() ? slope[1]
                                   : blend(across.value, slope[0], slope[1], slope[2], slope[3]);
-        // Rows run down the body, clockwise seen from above: turned, an image stands upright.
-        return {blend(across.value, curve[0], curve[1], curve[2], curve[3]),
-                {1 - double(column) / n, 1 - double(row) / n},
+        return {blend(across.value, curve[0], curve[1], curve[2], curve[3]), -d_along, -d_across,
                 glm::normalize(glm::cross(d_along, d_across))};
     }
 
@@ -79,10 +79,20 @@ PolygonSoup make_teapot(int n) {
     ShapeBuilder builder("teapot");
     for (const auto& points : teapot_patches) {
         const Patch patch(points);
-        builder.add_grid(steps, steps,
-                         [&](int row, int column) { return patch.at(row, column, steps); });
+        builder.add_grid(steps, steps, [&](int row, int column) {
+            const SmoothPoint point = patch.at(row, column, steps);
+            // Rows run down the body, clockwise seen from above: turned, an image stands upright.
+            return SurfacePoint{point.position,
+                                {1 - double(column) / steps, 1 - double(row) / steps},
+                                point.normal};
+        });
     }
     return builder.take();
+}
+
+SmoothPoint smooth_teapot(int patch, double u, double v) {
+    static const std::vector<Patch> patches(std::begin(teapot_patches), std::end(teapot_patches));
+    return patches[std::size_t(patch)].at(1 - v, 1 - u, 1);
 }
 
 }  // namespace scanshade

@@ -63,4 +63,13 @@ PolygonSoup make_terrain(int n) {
     return builder.take();
 }
 
+SmoothPoint smooth_terrain(int, double u, double v) {
+    const double x = 2 * u - 1, z = 1 - 2 * v;
+    const Height h = terrain_height(x, z);
+    return {{x, h.y, z},
+            {2, 2 * h.dx, 0},
+            {0, -2 * h.dz, -2},
+            glm::normalize(glm::dvec3(-h.dx, 1, -h.dz))};
+}
+
 }  // namespace scanshade

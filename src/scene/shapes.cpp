@@ -44,6 +44,17 @@ PolygonSoup make_sphere(int n) {
     return builder.take();
 }
 
+/// Of u or v: a full turn from the seam, which is opposite to 0°.
+double seam_angle(double parameter) { return std::numbers::pi * (2 * parameter + 1); }
+
+SmoothPoint smooth_sphere(int, double u, double v) {
+    const double a = seam_angle(u), b = std::numbers::pi * v;
+    const double sa = std::sin(a), ca = std::cos(a), sb = std::sin(b), cb = std::cos(b);
+    const glm::dvec3 p(sb * sa, -cb, sb * ca);
+    return {p, 2 * std::numbers::pi * glm::dvec3(sb * ca, 0, -sb * sa),
+            std::numbers::pi * glm::dvec3(cb * sa, sb, cb * ca), p};
+}
+
 PolygonSoup make_cube(int n) {
     static constexpr struct {
         double right[3], up[3];
@@ -72,8 +83,9 @@ PolygonSoup make_plane(int n) {
     return builder.take();
 }
 
+constexpr double ring_radius = 0.7, tube_radius = 0.3;
+
 PolygonSoup make_torus(int n) {
-    constexpr double ring_radius = 0.7, tube_radius = 0.3;
     ShapeBuilder builder("torus");
     const int rows = 4 * n, columns = 8 * n;
     builder.add_grid(rows, columns, [&](int row, int column) {
@@ -86,6 +98,16 @@ PolygonSoup make_torus(int n) {
                             {cos_tube * sin_ring, sin_tube, cos_tube * cos_ring}};
     });
     return builder.take();
+}
+
+SmoothPoint smooth_torus(int, double u, double v) {
+    const double a = seam_angle(u), b = seam_angle(v), turn = 2 * std::numbers::pi;
+    const double sa = std::sin(a), ca = std::cos(a), sb = std::sin(b), cb = std::cos(b);
+    const double radius = ring_radius + tube_radius * cb;
+    return {{radius * sa, tube_radius * sb, radius * ca},
+            turn * radius * glm::dvec3(ca, 0, -sa),
+            turn * tube_radius * glm::dvec3(-sb * sa, cb, -sb * ca),
+            {cb * sa, sb, cb * ca}};
 }
 
 PolygonSoup make_cylinder(int n) {
@@ -107,22 +129,33 @@ PolygonSoup make_cylinder(int n) {
     return builder.take();
 }
 
+/// Patch 0 is the side; 1 and 2 the caps below and above, whose parameters are x and z.
+SmoothPoint smooth_cylinder(int patch, double u, double v) {
+    if (patch > 0) {
+        const double side = patch == 1 ? -1 : 1;
+        return {{2 * u - 1, side, side * (1 - 2 * v)}, {2, 0, 0}, {0, 0, -2 * side}, {0, side, 0}};
+    }
+    const double a = seam_angle(u), sa = std::sin(a), ca = std::cos(a);
+    return {
+        {sa, 2 * v - 1, ca}, 2 * std::numbers::pi * glm::dvec3(ca, 0, -sa), {0, 2, 0}, {sa, 0, ca}};
+}
+
 std::vector<Material> one_material() { return {Material{}}; }
 
 constexpr ShapeInfo shapes[] = {
     {"sphere", "radius 1; n quads a quarter turn: 4n around, 2n from pole to pole", 24, 1024,
-     make_sphere, one_material},
+     make_sphere, one_material, 1, smooth_sphere},
     {"torus", "radii 0.7 and 0.3; n quads a quarter turn of the tube: 4n around it, 8n along it",
-     12, 512, make_torus, one_material},
+     12, 512, make_torus, one_material, 1, smooth_torus},
     {"teapot", "32 Bezier patches, open at spout and lid; n by n quads a patch, 1 means 2", 10, 512,
-     make_teapot, one_material},
+     make_teapot, one_material, 32, smooth_teapot},
     {"cube", "side 2, flat normals; n by n quads a side", 1, 1024, make_cube, one_material},
     {"cylinder", "radius 1, height 2, capped; 4n quads around, n up, n from rim to centre", 16,
-     1024, make_cylinder, one_material},
+     1024, make_cylinder, one_material, 3, smooth_cylinder},
     {"plane", "side 2 in y = 0, facing up, not closed; n by n quads", 1, 2048, make_plane,
      one_material},
     {"terrain", "hills over a square of side 2, always the same, not closed; n by n quads", 128,
-     2048, make_terrain, one_material},
+     2048, make_terrain, one_material, 1, smooth_terrain},
     {"cornell-box",
      "the measured room with two blocks and a lamp, its own materials; n by n quads a face", 8, 512,
      make_cornell_box, cornell_box_materials},
@@ -131,6 +164,13 @@ constexpr ShapeInfo shapes[] = {
 }  // namespace
 
 std::span<const ShapeInfo> all_shapes() { return shapes; }
+
+std::shared_ptr<Mesh> make_shape_mesh(const ShapeInfo& shape, int tessellation) {
+    auto mesh = std::make_shared<Mesh>(build_mesh(shape.make(tessellation), {}));
+    mesh->shape = &shape;
+    mesh->tessellation = tessellation;
+    return mesh;
+}
 
 const ShapeInfo* find_shape(std::string_view name) {
     const auto found = std::find_if(std::begin(shapes), std::end(shapes),

@@ -67,6 +67,34 @@ TEST_CASE("report stability needs no input, and measures equations, models and p
         CHECK(std::filesystem::exists(std::filesystem::path(out) / file));
 }
 
+TEST_CASE("report error writes a page with a verdict, and a picture of every row",
+          "[cli][report]") {
+    const TempFolder folder;
+    const std::string in = write_triangle(folder), out = folder.path / "report";
+    const Finished run =
+        run_scanshade({"report", "error", in, "-o", out, "--resolution", "64,48", "--runs", "1"});
+    CAPTURE(run.err);
+    REQUIRE(run.status == 0);
+    const nlohmann::json report = report_in(out);
+    REQUIRE(report["scenes"].size() == 3);
+    CHECK(report["scenes"][0]["name"] == "triangle");
+    CHECK(report["scenes"][1]["name"] == "diffuse sphere");
+    std::size_t pictures = 0;
+    for (const nlohmann::json& scene : report["scenes"]) {
+        CHECK_FALSE(scene["verdict"].empty());
+        for (const nlohmann::json& row : scene["rows"]) {
+            const std::string file = row["picture"];
+            CAPTURE(file);
+            CHECK(std::filesystem::file_size(std::filesystem::path(out) / file) > 60);
+            ++pictures;
+        }
+    }
+    CHECK(pictures > 60);
+    for (const char* plot : {"numerical-1.svg", "aliasing-1.svg", "convergence-2.svg"})
+        CHECK(std::filesystem::exists(std::filesystem::path(out) / plot));
+    CHECK(read_file(out + "/index.html").find("<h2>Verdict</h2>") != std::string::npos);
+}
+
 TEST_CASE("without an input the shipped scenes are found from any folder", "[cli][report]") {
     // Only found, not measured: the settings of no plan are refused after loading.
     const TempFolder folder;
@@ -88,7 +116,7 @@ TEST_CASE("an interrupted report is whole in itself, and says that it is partial
           "[cli][report]") {
     const TempFolder folder;
     const std::string in = write_triangle(folder), out = folder.path / "report";
-    for (const std::string kind : {"plan", "speed", "stability"}) {
+    for (const std::string kind : {"plan", "speed", "error", "stability"}) {
         const Finished run = run_scanshade_interrupted(
             {"report", kind, in, "-o", out + kind, "--runs", "10000"}, out + kind);
         CAPTURE(kind, run.err);

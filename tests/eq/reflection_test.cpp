@@ -180,3 +180,19 @@ TEST_CASE("(B20) white facets give back at most 1.52 % more than they get", "[eq
         CHECK(k.A + k.B / 2 < 1.01518);
     }
 }
+
+TEST_CASE("a power by exp and log alone keeps to its bound", "[eq]") {
+    for (const double s : {1.0, 12.5, 40.0, 1000.0}) {
+        const Exponent form = by_exp_log(make_exponent(s));
+        CHECK(form.whole == 0);
+        const double bound = power_error_u(form) * 0x1p-24;
+        for (const double x : {0.3, 0.9, 0.99, 0.9999, 1.0}) {
+            const double exact = double(std::pow(static_cast<long double>(static_cast<float>(x)),
+                                                 static_cast<long double>(s)));
+            CAPTURE(s, x);
+            if (exact < 1e-29) continue;  // below 2^-100 it is 0
+            CHECK(std::abs(double(pow_shininess(static_cast<float>(x), form)) - exact) <=
+                  bound * exact);
+        }
+    }
+}

@@ -51,6 +51,7 @@ TEST_CASE("each option stores its value", "[options]") {
     CHECK(with("renderer", "scalar-f64").renderer == RendererKind::scalar_f64);
     CHECK(with("samples", "1024").samples == 1024);
     CHECK(with("transfer", "linear").transfer == Transfer::linear);
+    CHECK(with("power", "exp-log").power == PowerForm::exp_log);
     CHECK(with("exposure", "-1.5").exposure_ev == -1.5);
     CHECK(with("background", "0,1,2.5").background == glm::dvec3(0, 1, 2.5));
     CHECK(with("camera-position", "1,-2,3").camera_position == glm::dvec3(1, -2, 3));
@@ -105,6 +106,7 @@ TEST_CASE("a refused value names the option, the value and what would be right",
         {"samples", "1089", "1024"},
         {"samples", "4x", "square"},
         {"transfer", "rgb", "did you mean 'srgb'"},
+        {"power", "squares", "did you mean 'squaring'"},
         {"exposure", "101", "-100 to 100"},
         {"exposure", "inf", "-100 to 100"},
         {"background", "1,1", "three numbers"},

@@ -6,11 +6,11 @@
 
 namespace scanshade {
 
-/// An exponent s ≥ 0 as whole + fraction: the whole part is raised by squaring, the fraction by
+/// An exponent s ≥ 0 as whole + fraction: the whole part is raised by squaring, the rest by
 /// exp(f·log x), which is left out where it is 0.
 struct Exponent {
     std::uint32_t whole = 0;
-    double fraction = 0;  // [0, 1)
+    double fraction = 0;  // ≥ 0; below 1 as make_exponent splits
     float least = 0;      // what is not above it has a power below 2^-100, and so 0
 };
 
@@ -22,6 +22,9 @@ inline Exponent make_exponent(double s) {
     const double least = s >= 1 ? std::exp2(-100 / s) : 0;
     return {static_cast<std::uint32_t>(whole), s - whole, static_cast<float>(least)};
 }
+
+/// The same exponent with nothing raised by squaring.
+inline Exponent by_exp_log(const Exponent& s) { return {0, s.whole + s.fraction, s.least}; }
 
 /// Relative error of xˢ by pow_shininess, in u of its number type, for x ≥ 2^-20.
 inline double power_error_u(const Exponent& s) {

@@ -16,6 +16,7 @@ std::string escaped(std::string_view text);
 struct Cell {
     std::string text;
     std::string_view style = {};  // "good", "bad", "faint" or "whole" (no line breaks)
+    std::string file = {};        // beside the page: the text leads there
 };
 Cell number_cell(std::string text, std::string_view style = {});
 
@@ -23,6 +24,7 @@ Cell number_cell(std::string text, std::string_view style = {});
 struct Figure {
     std::string file, caption;
     bool wide = false;  // keeps its size on a phone, and is moved there instead of shrunk
+    int width = 0;      // pixels; 0: its own
 };
 
 class Page {
@@ -30,11 +32,12 @@ public:
     /// `lead` says in a sentence or two what the report is about.
     Page(std::string_view title, std::string_view lead);
 
-    /// What the report comes to, before anything else.
-    void verdict(std::string_view text, bool good);
+    /// What the report comes to, before anything else. `good`: nothing has failed.
+    void verdict(std::string_view text, bool good = true);
     /// Stands out: something that a reader must know first.
     void notice(std::string_view text);
     void section(std::string_view title);
+    void subsection(std::string_view title);
     void paragraph(std::string_view text);
     /// Pictures that lie beside the page, next to each other where there is room.
     void figures(const std::vector<Figure>& figures);

@@ -15,6 +15,7 @@
 namespace scanshade {
 
 struct ClusterCache;  // scene/clusters.hpp
+struct ShapeInfo;     // scene/shapes.hpp
 
 inline constexpr std::uint32_t no_index = 0xffffffffu;
 
@@ -80,6 +81,10 @@ struct Mesh {
     bool has_quads = false;     // some face has four corners
     bool has_polygons = false;  // some face has more than three
     EventCounts events;         // what was odd while building
+
+    // What it was made from, where it was: then it can be made again, finer or coarser.
+    const ShapeInfo* shape = nullptr;
+    int tessellation = 0;
 
     /// Made when clusters_of asks for it first; copies of a mesh share it.
     std::shared_ptr<ClusterCache> cluster_cache;

@@ -23,8 +23,9 @@ enum class RendererKind {
     simd,
     scalar_f32,
     scalar_f64
-};                                     // vectors of floats; or their plain twins
-enum class Transfer { srgb, linear };  // from radiance to bytes
+};                                           // vectors of floats; or their plain twins
+enum class PowerForm { squaring, exp_log };  // how a whole exponent is raised
+enum class Transfer { srgb, linear };        // from radiance to bytes
 enum class Cull { none, back };
 enum class UpAxis { y, z };
 
@@ -32,6 +33,7 @@ enum class UpAxis { y, z };
 std::span<const std::string_view> shading_names();
 std::span<const std::string_view> interpolation_names();
 std::span<const std::string_view> renderer_names();
+std::span<const std::string_view> power_form_names();
 
 struct Settings {
     int width = 960, height = 720;  // pixels, 1 to 16384
@@ -44,6 +46,7 @@ struct Settings {
     int tile = 64;    // side of the simd renderer's tiles in samples: 16, 32 or 64
     int threads = 0;  // of the simd renderer, 1 to 1024; 0: all that the machine runs
     int samples = 1;  // a square number, 1 to 1024
+    PowerForm power = PowerForm::squaring;
     Transfer transfer = Transfer::srgb;
     double exposure_ev = 0;                   // radiance is multiplied by 2^EV
     glm::dvec3 background{0.05, 0.06, 0.08};  // linear radiance
