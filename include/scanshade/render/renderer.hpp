@@ -31,8 +31,8 @@ struct FrameStats {
     PlanSavings saved;                   // what each row of the plan did without
 };
 
-/// Draws one scene, with its camera and one set of settings, any number of times. Holds copies of what it needs;
-/// a renderer is used by one thread at a time, several renderers by several.
+/// Draws one scene, with its camera and one set of settings, any number of times. Holds copies of
+/// what it needs; a renderer is used by one thread at a time, several renderers by several.
 class Renderer {
 public:
     /// Normalises the scene and makes the plan. Throws Error for what cannot be drawn. Where the
