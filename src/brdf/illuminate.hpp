@@ -62,6 +62,7 @@ struct Arriving {
     Vec3<R> wi;  // towards the light, unit; 0 where the point is at the light
     R factor;    // attenuation · emission
     R distance;  // s · |light − P|
+    R f_att, emission;
 };
 
 // Inlined whatever their size: between vectors, a call would store and load every register.
@@ -72,15 +73,15 @@ template <Real R>
     const R distance = sqrt(dot(to_light, to_light));
     const Vec3<R> wi = normalise(to_light);
     const R d = max(distance, R(light.radius));
-    R factor = light.constant ? reciprocal(R(light.attenuation[0]))
-                              : attenuation(d, light.attenuation[0], light.attenuation[1],
-                                            light.attenuation[2]);
-    if (light.emission == LightEmission::cosine)
-        factor = factor * cosine_light(-wi, uniform_vec3<R>(light.axis));
-    if (light.emission == LightEmission::spot)
-        factor = factor *
-                 spot_light(-wi, uniform_vec3<R>(light.axis), light.cos_cutoff, light.inv_penumbra);
-    return {wi, factor, distance};
+    const R f_att = light.constant ? reciprocal(R(light.attenuation[0]))
+                                   : attenuation(d, light.attenuation[0], light.attenuation[1],
+                                                 light.attenuation[2]);
+    if (light.emission == LightEmission::uniform) return {wi, f_att, distance, f_att, R(1)};
+    const Vec3<R> axis = uniform_vec3<R>(light.axis);
+    const R emission = light.emission == LightEmission::cosine
+                           ? cosine_light(-wi, axis)
+                           : spot_light(-wi, axis, light.cos_cutoff, light.inv_penumbra);
+    return {wi, f_att * emission, distance, f_att, emission};
 }
 
 /// Samples of the vector at i that are nearer to the light than its radius.
@@ -95,9 +96,48 @@ std::uint64_t count_nearer(const SurfaceSpan<Scalar<R>>& span, std::size_t i,
     return count_true(mask_and(nearer, counted));
 }
 
-template <class Model, Real R>
+/// Who watches the loop below: nobody, where pictures are drawn.
+struct NoWitness {};
+
+/// Writes down what the loop computes at one point, in plain numbers.
+template <class Model, class T>
+class Witness {
+public:
+    explicit Witness(PointReport<T>& into) : into_(into) {}
+
+    void point(const Vec3<T>& P, const Vec3<T>& n, const Vec3<T>& wo, const Rgb<T>& albedo) {
+        put(P, into_.position), put(n, into_.normal), put(wo, into_.wo);
+        put(albedo, into_.albedo);
+    }
+    void unreflected(const Rgb<T>& ambient, const Rgb<T>& emission) {
+        put(ambient, into_.ambient), put(emission, into_.emission);
+    }
+    void light(const LightTerm<T>& light, const Arriving<T>& from, T factor, const Cosines<T>& c,
+               const ParamPack<T>& params, const Rgb<T>& f_cos, const Rgb<T>& term) {
+        LightAtPoint<T>& at = into_.lights.emplace_back();
+        put(from.wi, at.wi);
+        const bool near = light.point_scale > 0;
+        at.distance = near ? from.distance / light.point_scale : std::numeric_limits<T>::infinity();
+        at.f_att = from.f_att, at.emission = from.emission;
+        at.factor = factor;
+        at.cosines = c;
+        Model::terms(c, params, at.bracket);
+        put(uniform_rgb<T>(light.irradiance), at.irradiance);
+        put(f_cos, at.f_cos), put(term, at.term);
+    }
+    void sum(const Rgb<T>& L) { put(L, into_.radiance); }
+
+private:
+    static void put(const Vec3<T>& v, T (&to)[3]) { to[0] = v.x, to[1] = v.y, to[2] = v.z; }
+    static void put(const Rgb<T>& v, T (&to)[3]) { to[0] = v.r, to[1] = v.g, to[2] = v.b; }
+    PointReport<T>& into_;
+};
+
+template <class Model, Real R, class Watching = NoWitness>
 SpanEvents illuminate_span(const SurfaceSpan<Scalar<R>>& span, const Lighting<Scalar<R>>& lighting,
-                           const MaterialParams<Scalar<R>>& material) {
+                           const MaterialParams<Scalar<R>>& material,
+                           [[maybe_unused]] Watching witness = {}) {
+    constexpr bool watched = !std::is_same_v<Watching, NoWitness>;
     SpanEvents events;
     for (std::size_t i = 0; i < span.count; i += RealTraits<R>::width) {
         const Vec3<R> P = load_vec3<R>(span.position, i);
@@ -112,16 +152,23 @@ SpanEvents illuminate_span(const SurfaceSpan<Scalar<R>>& span, const Lighting<Sc
         const ParamPack<R> params{material, span.albedo[0] != nullptr ? &albedo : nullptr,
                                   diffuse_index<Model>()};
 
-        Rgb<R> L =
-            ambient_term(uniform_rgb<R>(lighting.ambient), uniform_rgb<R>(material.ka) * albedo) +
-            uniform_rgb<R>(material.emission);
+        const Rgb<R> ambient =
+            ambient_term(uniform_rgb<R>(lighting.ambient), uniform_rgb<R>(material.ka) * albedo);
+        const Rgb<R> emission = uniform_rgb<R>(material.emission);
+        Rgb<R> L = ambient + emission;
+        if constexpr (watched) witness.point(P, n, wo, albedo);
+        if constexpr (watched) witness.unreflected(ambient, emission);
         for (const LightTerm<Scalar<R>>& light : lighting.lights) {
             const Arriving<R> from = arriving(light, P);
             const Cosines<R> c = cosines(n, from.wi, wo);
             const R factor = select(c.n_i > R(0), from.factor, R(0));
-            L = L + light_term(factor, uniform_rgb<R>(light.irradiance), Model::f_cos(c, params));
+            const Rgb<R> f_cos = Model::f_cos(c, params);
+            const Rgb<R> term = light_term(factor, uniform_rgb<R>(light.irradiance), f_cos);
+            L = L + term;
+            if constexpr (watched) witness.light(light, from, factor, c, params, f_cos, term);
             if (light.touches) events.light_at_surface += count_nearer<R>(span, i, from, light);
         }
+        if constexpr (watched) witness.sum(L);
         RealTraits<R>::store(L.r, span.radiance[0] + i);
         RealTraits<R>::store(L.g, span.radiance[1] + i);
         RealTraits<R>::store(L.b, span.radiance[2] + i);

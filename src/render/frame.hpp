@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "kernels/engine_data.hpp"
@@ -34,6 +35,11 @@ struct Frame {
 
     std::vector<ObjectView> object_views;            // [object]
     std::vector<std::vector<VertexState>> vertices;  // [object][vertex]; empty: made when asked
+
+    struct Pixel {
+        int x, y;
+    };
+    std::optional<Pixel> only;  // nothing is seen at other pixels (scalar renderers)
 
     // one sample a pixel, for the sample of this pass
     SampleOffset sample;

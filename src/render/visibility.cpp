@@ -31,7 +31,7 @@ float triangle_depth(const DrawnFace& face, SnappedPoint p, SampleOffset sample)
 
 /// (C3) of the corners' depths.
 float polygon_depth(const DrawnFace& face, SnappedPoint p) {
-    const Place<float> at = polygon_place<float>(face, p);
+    const Place<float> at = polygon_place<float>(face.corner, p);
     const auto depth = [&](std::uint32_t corner) { return face.state[corner].depth; };
     return along_span(along_edge(depth(at.a), depth(at.b), at.a_y, at.b_y, at.y),
                       along_edge(depth(at.c), depth(at.d), at.c_y, at.d_y, at.y), at.ab_x, at.cd_x,
@@ -144,6 +144,11 @@ void find_visible(Frame& frame) {
     frame.depth.assign(samples, 0.0f);
     frame.id.assign(samples, Framebuffer::no_triangle);
     visit_coverage(frame, [&frame](const DrawnFace& face, int y, int begin, int end) {
+        if (frame.only) {
+            if (y != frame.only->y) return;
+            begin = std::max(begin, frame.only->x);
+            end = std::min(end, frame.only->x + 1);
+        }
         std::size_t at = frame.target.index(begin, y);
         for (int x = begin; x < end; ++x, ++at) {
             const float z = depth_at(face, frame, sample_point(x, y, frame.sample));

@@ -64,10 +64,16 @@ std::vector<Light> three_point_lights(const Bounds& bounds, const Camera& camera
     return lights;
 }
 
+Normalisation normalisation(const Bounds& bounds) {
+    return {bounds.centre, std::exp2(std::ilogb(bounds.radius))};
+}
+
 Scene normalised(const Scene& scene) {
     const Bounds bounds = scene.bounds();
-    const double unit = std::exp2(std::ilogb(bounds.radius));  // world units in one of ours
-    const auto point = [&](const glm::dvec3& p) { return (p - bounds.centre) / unit; };
+    const auto [centre, unit] = normalisation(bounds);
+    const auto point = [centre = centre, unit = unit](const glm::dvec3& p) {
+        return (p - centre) / unit;
+    };
     Scene out = scene;
     for (Object& object : out.objects) {
         const glm::dvec3 origin = point(glm::dvec3(object.to_world[3]));

@@ -59,6 +59,13 @@ Scene single_object_scene(std::shared_ptr<const Mesh> mesh, Material material);
 /// Key, fill and rim light around the bounds, as seen from the camera.
 std::vector<Light> three_point_lights(const Bounds& bounds, const Camera& camera);
 
+/// How a scene is moved and scaled to be drawn: p → (p − centre)/unit.
+struct Normalisation {
+    glm::dvec3 centre;
+    double unit;  // world units in one of ours, a power of two
+};
+Normalisation normalisation(const Bounds& bounds);
+
 /// The scene moved and scaled by a power of two so that its bounds have their centre at 0 and a
 /// radius in [1, 2); camera, lights, attenuation, near and far follow. The picture is the same.
 Scene normalised(const Scene& scene);
