@@ -127,6 +127,7 @@ Scene load_obj_scene(const std::filesystem::path& path, const Settings& settings
     Object object;
     object.mesh = std::make_shared<Mesh>(build_mesh(file.soup, settings.normals));
     object.to_world = up_rotation(settings.up);
+    object.mesh_file = path;
     for (std::uint32_t i = 0; i < file.materials.size(); ++i) object.materials.push_back(i);
     scene.events = file.events;
     scene.events += object.mesh->events;

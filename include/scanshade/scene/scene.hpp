@@ -25,6 +25,9 @@ struct Object {
     std::vector<std::uint32_t> materials;  // mesh material number → index into Scene::materials
     std::optional<Shading> shading;        // instead of the settings', unless that was given as
                                            // an option
+    std::filesystem::path mesh_file;       // where the mesh was read, or
+    std::string shape;                     // the shape that it is; neither: made by a program
+    int tessellation = 0;                  // of the shape
 };
 
 struct Scene {
@@ -51,6 +54,12 @@ Scene load_scene(const std::filesystem::path& input, Settings& settings);
 /// A scene file's text, without what the options override. `file` is named in messages, and paths
 /// in the text are relative to its folder.
 Scene parse_scene(std::string_view toml, const std::filesystem::path& file, Settings& settings);
+
+/// A scene file's text that shows the same picture, with what `settings` chooses in [render]; paths
+/// are relative to `folder` where they can be. Throws Error(scene) for an object that is neither
+/// from a file nor a shape.
+std::string scene_text(const Scene& scene, const Settings& settings,
+                       const std::filesystem::path& folder);
 
 /// A scene with one object and one material, framed and lit by default: what tests, sheets and
 /// the default view of an .obj use.
