@@ -28,7 +28,7 @@ std::size_t utf8_length(std::string_view text, std::size_t at) {
 }
 
 /// A text in quotes. What is no UTF-8, which names in OBJ files may be, becomes '?'.
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
     std::string out = "\"";
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t length = utf8_length(text, at);
@@ -51,7 +51,7 @@ std::string three(const glm::dvec3& v) { return fmt::format("[{}, {}, {}]", v.x,
 std::string path_text(const std::filesystem::path& path, const std::filesystem::path& folder) {
     std::error_code failed;
     const std::filesystem::path relative = std::filesystem::proximate(path, folder, failed);
-    return quoted((failed ? std::filesystem::absolute(path) : relative).generic_string());
+    return in_quotes((failed ? std::filesystem::absolute(path) : relative).generic_string());
 }
 
 std::string camera_text(const Camera& c) {
@@ -83,7 +83,7 @@ std::string light_text(const Light& light) {
 }
 
 std::string param_text(const ParamSetting& p) {
-    if (p.values.empty()) return quoted(p.word);
+    if (p.values.empty()) return in_quotes(p.word);
     if (p.values.size() == 1) return fmt::format("{}", p.values[0]);
     return three({p.values[0], p.values[1], p.values[2]});
 }
@@ -91,7 +91,7 @@ std::string param_text(const ParamSetting& p) {
 std::string material_text(const Material& material, const std::string& name,
                           const std::filesystem::path& folder) {
     std::string out =
-        fmt::format("\n[[material]]\nname = {}\nbrdf = \"{}\"\n", quoted(name), material.brdf);
+        fmt::format("\n[[material]]\nname = {}\nbrdf = \"{}\"\n", in_quotes(name), material.brdf);
     for (const ParamSetting& p : material.parameters)
         out += fmt::format("{} = {}\n", p.name, param_text(p));
     if (material.map_kd) out += fmt::format("map_kd = {}\n", path_text(material.map_file, folder));
@@ -109,7 +109,7 @@ std::vector<std::string> material_names(const Scene& scene) {
                 scene.materials[m].name.empty() ? "material" : scene.materials[m].name;
             std::string name = given;
             // Compared as they are written: two names may differ in what is no UTF-8 alone.
-            for (int n = 2; !taken.insert(quoted(name)).second; ++n)
+            for (int n = 2; !taken.insert(in_quotes(name)).second; ++n)
                 name = fmt::format("{} {}", given, n);
             names[m] = name;
         }
@@ -143,7 +143,7 @@ std::string object_text(const Object& object, const std::vector<std::string>& na
     out += placement_text(placement);
     out += "materials = [";
     for (std::size_t i = 0; i < object.materials.size(); ++i)
-        out += fmt::format("{}{}", i > 0 ? ", " : "", quoted(names[object.materials[i]]));
+        out += fmt::format("{}{}", i > 0 ? ", " : "", in_quotes(names[object.materials[i]]));
     out += "]\n";
     if (object.shading && !settings.is_given("shading"))
         out += fmt::format("shading = \"{}\"\n",
@@ -160,7 +160,7 @@ std::string render_text(const Settings& settings) {
         if (option.show == nullptr || option.name == "isa" || option.name == "threads") continue;
         const std::string value = option.show(settings);
         if (value == option.show(standard)) continue;
-        out += fmt::format("{} = {}\n", option.name, quoted(value));
+        out += fmt::format("{} = {}\n", option.name, in_quotes(value));
     }
     if (settings.set.empty()) return out;
     out += "set = [";
@@ -168,7 +168,7 @@ std::string render_text(const Settings& settings) {
         const ParamSetting& p = settings.set[i];
         std::string value = p.word;
         for (const double v : p.values) value += fmt::format("{}{}", value.empty() ? "" : ",", v);
-        out += fmt::format("{}{}", i > 0 ? ", " : "", quoted(p.name + "=" + value));
+        out += fmt::format("{}{}", i > 0 ? ", " : "", in_quotes(p.name + "=" + value));
     }
     return out + "]\n";
 }

@@ -1,4 +1,4 @@
-// The window: shows a picture pixel by pixel.
+// The window: pixels on the screen.
 #pragma once
 
 #include <SDL.h>
@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "scanshade/image/image.hpp"
+#include "scanshade/image/framebuffer.hpp"
 
 namespace scanshade::viewer {
 
@@ -31,7 +31,15 @@ public:
 
     void set_title(const std::string& title);
 
-    void show(const Image& picture);
+    /// Clears the window and puts a picture on it, pixel by pixel, from column `left` on.
+    void put(const PixelBuffer& picture, int left);
+    /// Shows what was put and drawn.
+    void present();
+
+    void resize(int width, int height);  // points
+
+    SDL_Window* window() { return window_.get(); }
+    SDL_Renderer* renderer() { return renderer_.get(); }
 
 private:
     struct Quit {
@@ -43,7 +51,7 @@ private:
         void operator()(SDL_Texture* texture) const { SDL_DestroyTexture(texture); }
     };
 
-    void upload(const Image& picture);
+    void upload(const PixelBuffer& picture);
 
     Quit quit_;  // first, so that it goes last
     std::unique_ptr<SDL_Window, Destroy> window_;
