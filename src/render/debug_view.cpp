@@ -78,8 +78,9 @@ DebugPicture depth_view(const Scene& scene, const Settings& settings) {
         if (frame.id[i] == Framebuffer::no_triangle) continue;
         distance[i] = unit * (orthographic ? near + 2 * (1 - z) * (far - near) : near / z);
     }
-    return in_false_colours(distance, scale_of(distance, 1e-6 * unit, "units of the scene"),
-                            frame.width, frame.height);
+    DebugScale scale = scale_of(distance, 1e-6 * unit, "units of the scene");
+    scale.logarithmic = scale.low > 0;
+    return in_false_colours(distance, scale, frame.width, frame.height);
 }
 
 /// In levels of 255 as they are shown, but not rounded to whole ones.

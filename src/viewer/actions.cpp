@@ -51,7 +51,7 @@ constexpr Binding bindings[] = {
     debug_key("F6", DebugView::plan, "plan: work of each pixel"),
     debug_key("F7", DebugView::error_f64, "error against double"),
     debug_key("F8", DebugView::error_phong, "error against phong shading"),
-    key("V", Action::toggle_split, "split screen A | B"),
+    key("V", Action::toggle_split, "split screen, A beside B"),
     key("X", Action::other_side, "keys and panel act on the other side"),
     key("Return", Action::reset_camera, "reset the camera"),
     key("Keypad Enter", Action::reset_camera, ""),

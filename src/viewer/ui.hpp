@@ -51,8 +51,8 @@ void build_report(const FrameReport& report);
 /// Keys with what they stand at.
 void build_help(const ViewState& state, Ui& ui);
 
-/// The equation at the pixel that was clicked.
-void build_inspector(Ui& ui);
+/// The equation at the pixel that was clicked; the picture begins at column `left`.
+void build_inspector(Ui& ui, double left);
 
 /// On the picture itself, which begins at column `left`: the inspected polygon, the light that
 /// moves, the divider, scales.

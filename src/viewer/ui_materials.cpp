@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <string>
 
 #include "viewer/ui.hpp"
@@ -73,13 +74,24 @@ void build_material(ViewState& state, Ui& ui, std::size_t number) {
     });
 }
 
+/// Those that some object has: a shape's own give way to what a scene says.
+std::vector<bool> used_materials(const Scene& scene) {
+    std::vector<bool> used(scene.materials.size());
+    for (const Object& object : scene.objects)
+        for (const std::uint32_t m : object.materials) used[m] = true;
+    return used;
+}
+
 }  // namespace
 
 void build_materials(ViewState& state, Ui& ui) {
+    const std::vector<bool> used = used_materials(state.scene());
+    const auto first = std::find(used.begin(), used.end(), true) - used.begin();
     for (std::size_t i = 0; i < state.scene().materials.size(); ++i) {
+        if (!used[i]) continue;
         ImGui::PushID(int(i));
         const std::string name = fmt::format("{}###material", state.scene().materials[i].name);
-        ImGui::SetNextItemOpen(i == 0, ImGuiCond_FirstUseEver);
+        ImGui::SetNextItemOpen(std::ptrdiff_t(i) == first, ImGuiCond_FirstUseEver);
         if (ImGui::TreeNode(name.c_str())) {
             build_material(state, ui, i);
             ImGui::TreePop();

@@ -45,7 +45,7 @@ void build_panel(ViewState& state, const Picture& picture, Ui& ui) {
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoBringToFrontOnFocus);
     build_menu(ui);
-    ImGui::PushItemWidth(-ImGui::GetFontSize() * 7);
+    ImGui::PushItemWidth(-ImGui::GetFontSize() * 8);
     ImGui::Text("%s   %s", state.scene().name.c_str(), ui.status.c_str());
     if (section("Drawing", true)) build_options(state, ui);
     if (section("Materials", true)) build_materials(state, ui);
@@ -88,8 +88,8 @@ void build_help(const ViewState& state, Ui& ui) {
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse |
                      ImGuiWindowFlags_NoSavedSettings);
     if (ImGui::BeginTable("keys", 3)) {
-        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, 190);
-        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, 270);
+        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, 310);
+        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, 280);
         ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, 170);
         for (const HelpRow& row : help_rows()) {
             ImGui::TableNextColumn();

@@ -219,7 +219,7 @@ void Viewer::describe() {
     build_overlays(state_, picture_, ui_, left());
     if (ui_.panel) build_panel(state_, picture_, ui_);
     build_help(state_, ui_);
-    build_inspector(ui_);
+    build_inspector(ui_, left());
     build_notice(ui_, left());
     gui_.end();
     interface_is_old_ = false;
