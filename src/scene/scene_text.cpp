@@ -92,8 +92,10 @@ std::string material_text(const Material& material, const std::string& name,
                           const std::filesystem::path& folder) {
     std::string out =
         fmt::format("\n[[material]]\nname = {}\nbrdf = \"{}\"\n", in_quotes(name), material.brdf);
-    for (const ParamSetting& p : material.parameters)
-        out += fmt::format("{} = {}\n", p.name, param_text(p));
+    std::vector<ParamSetting> parameters = material.parameters;  // by name, as tables are read
+    std::sort(parameters.begin(), parameters.end(),
+              [](const ParamSetting& a, const ParamSetting& b) { return a.name < b.name; });
+    for (const ParamSetting& p : parameters) out += fmt::format("{} = {}\n", p.name, param_text(p));
     if (material.map_kd) out += fmt::format("map_kd = {}\n", path_text(material.map_file, folder));
     return out;
 }

@@ -29,7 +29,8 @@ std::string_view common_brdf(const std::vector<Material>& materials) {
 
 }  // namespace
 
-ViewState::ViewState(Scene scene, Settings settings) : scene_(std::move(scene)) {
+ViewState::ViewState(Scene scene, Settings settings)
+    : scene_(std::move(scene)), own_shading_(!settings.is_given("shading")) {
     sides_[0].settings = settings;
     sides_[1].settings = std::move(settings);
     take_scene();
@@ -39,7 +40,8 @@ ViewState::ViewState(Scene scene, Settings settings) : scene_(std::move(scene)) 
 
 void ViewState::take_scene() {
     bounds_ = scene_.bounds();
-    objects_choose_ = std::any_of(scene_.objects.begin(), scene_.objects.end(),
+    objects_choose_ = own_shading_ &&
+                      std::any_of(scene_.objects.begin(), scene_.objects.end(),
                                   [](const Object& object) { return object.shading.has_value(); });
     light_ = std::min(light_, scene_.lights.empty() ? 0 : scene_.lights.size() - 1);
     changed_ = true;

@@ -107,7 +107,8 @@ private:
     std::size_t light_ = 0;       // selected
     std::optional<Camera> home_;  // the camera to which reset returns; none: framed on the bounds
     Bounds bounds_;
-    bool objects_choose_ = false;  // some object has a shading of its own
+    bool own_shading_;             // objects may choose: the command line has not
+    bool objects_choose_ = false;  // some object has a shading of its own, and may
     bool changed_ = true;
 };
 

@@ -161,7 +161,7 @@ TEST_CASE("the picture's size stays within what a picture may have", "[viewer]")
 }
 
 TEST_CASE("a split screen draws each side by its own method", "[viewer]") {
-    ViewState state = state_of(ball);
+    ViewState state = state_of(std::string(ball) + "[[light]]\ntype = \"directional\"\n");
     CHECK(state.side_at(0) == 0);
     state.apply({Action::toggle_split});
     state.apply({Action::other_side});
@@ -197,7 +197,7 @@ TEST_CASE("one sample a pixel while something moves", "[viewer]") {
     Settings settings;
     settings.samples = 4;
     settings.width = 60, settings.height = 40;
-    ViewState state = state_of(ball, settings);
+    ViewState state = state_of(std::string(ball) + "[[light]]\ntype = \"directional\"\n", settings);
     Picture picture;
     picture.draw(state, true);
     CHECK_FALSE(picture.final());
