@@ -34,6 +34,9 @@ void start_video() {
                     "set); `scanshade render` needs none");
     SDL_SetHint(SDL_HINT_VIDEODRIVER, wayland ? "x11,wayland" : "x11");
 #endif
+    // What is made on the CPU and shown as it is gains nothing from a graphics driver, which may be a
+    // slow one in software.
+    SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
     // A viewer that shows a still picture must not keep the screen awake.
     SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
     if (SDL_Init(SDL_INIT_VIDEO) != 0) fail("open a window");
@@ -61,7 +64,7 @@ Window::Window(const WindowSize& size) {
                                    points.x, points.y,
                                    SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI));
     if (!window_) fail("open a window");
-    renderer_.reset(SDL_CreateRenderer(window_.get(), -1, 0));
+    renderer_.reset(SDL_CreateRenderer(window_.get(), -1, SDL_RENDERER_SOFTWARE));
     if (!renderer_) fail("draw into a window");
     update_size();
 }
