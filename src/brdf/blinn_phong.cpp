@@ -37,6 +37,13 @@ struct blinn_phong {
         if (p.matt()) return p.rgb(kd) * inv_pi_as<R>() * c.n_i;
         return phong_f_cos(p.rgb(kd), p.rgb(ks), p.exponent(shininess), c.n_i, c.n_h);
     }
+    template <class T>
+    static void terms(const Cosines<T>& c, const ParamPack<T>& p, BracketTerms<T>& out) {
+        const T power = pow_shininess(c.n_h, p.exponent(shininess));
+        out.factor("(N·H)ˢ", power);
+        out.part("k_d (N·L)", p.rgb(kd) * c.n_i);
+        out.part("k_s (N·H)ˢ", p.rgb(ks) * power);
+    }
 };
 
 #include "brdf/model_end.hpp"

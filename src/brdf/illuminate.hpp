@@ -65,22 +65,29 @@ Vec3<R> uniform_vec3(const Scalar<R> (&value)[3]) {
     return {R(value[0]), R(value[1]), R(value[2])};
 }
 
-/// What scales the irradiance of a light towards −wi at a distance (in the light's units):
-/// attenuation and emission.
+/// Attenuation of a light at a distance (in the light's units).
+template <Real R>
+[[gnu::always_inline]] inline R attenuation_of(const LightTerm<Scalar<R>>& light, R distance) {
+    if (light.constant) return reciprocal(R(light.attenuation[0]));
+    return attenuation(max(distance, R(light.radius)), light.attenuation[0], light.attenuation[1],
+                       light.attenuation[2]);
+}
+
+/// What share of its intensity a cosine or spot light sends towards −wi.
+template <Real R>
+[[gnu::always_inline]] inline R emission_of(const LightTerm<Scalar<R>>& light, const Vec3<R>& wi) {
+    const Vec3<R> axis = uniform_vec3<R>(light.axis);
+    if (light.emission == LightEmission::cosine) return cosine_light(-wi, axis);
+    return spot_light(-wi, axis, light.cos_cutoff, light.inv_penumbra);
+}
+
+/// What scales the irradiance of a light: attenuation and emission.
 // Inlined whatever its size: between vectors, a call would store and load every register.
 template <Real R>
 [[gnu::always_inline]] inline R arriving(const LightTerm<Scalar<R>>& light, const Vec3<R>& wi,
                                          R distance) {
-    const R d = max(distance, R(light.radius));
-    R factor = light.constant ? reciprocal(R(light.attenuation[0]))
-                              : attenuation(d, light.attenuation[0], light.attenuation[1],
-                                            light.attenuation[2]);
-    if (light.emission == LightEmission::cosine)
-        factor = factor * cosine_light(-wi, uniform_vec3<R>(light.axis));
-    if (light.emission == LightEmission::spot)
-        factor = factor *
-                 spot_light(-wi, uniform_vec3<R>(light.axis), light.cos_cutoff, light.inv_penumbra);
-    return factor;
+    const R f_att = attenuation_of(light, distance);
+    return light.emission == LightEmission::uniform ? f_att : f_att * emission_of(light, wi);
 }
 
 /// Samples of the vector at i that are nearer to the light than its radius.
@@ -95,9 +102,50 @@ std::uint64_t count_nearer(const SurfaceSpan<Scalar<R>>& span, std::size_t i, R 
     return count_true(mask_and(nearer, counted));
 }
 
-template <class Model, Real R>
+/// Who watches the loop below: nobody, where pictures are drawn.
+struct NoWitness {};
+
+/// Writes down what the loop computes at one point, in plain numbers.
+template <class Model, class T>
+class Witness {
+public:
+    explicit Witness(PointReport<T>& into) : into_(into) {}
+
+    void point(const Vec3<T>& P, const Vec3<T>& n, const Vec3<T>& wo, const Rgb<T>& albedo) {
+        put(P, into_.position), put(n, into_.normal), put(wo, into_.wo);
+        put(albedo, into_.albedo);
+    }
+    void unreflected(const Rgb<T>& ambient, const Rgb<T>& emission) {
+        put(ambient, into_.ambient), put(emission, into_.emission);
+    }
+    void light(const LightTerm<T>& light, const Vec3<T>& wi, T distance, T factor,
+               const Cosines<T>& c, const ParamPack<T>& params, const Rgb<T>& f_cos,
+               const Rgb<T>& term) {
+        LightAtPoint<T>& at = into_.lights.emplace_back();
+        put(wi, at.wi);
+        const bool near = light.point_scale > 0;
+        at.distance = near ? distance / light.point_scale : std::numeric_limits<T>::infinity();
+        at.f_att = attenuation_of(light, distance);
+        at.emission = light.emission == LightEmission::uniform ? T(1) : emission_of(light, wi);
+        at.factor = factor;
+        at.cosines = c;
+        Model::terms(c, params, at.bracket);
+        put(uniform_rgb<T>(light.irradiance), at.irradiance);
+        put(f_cos, at.f_cos), put(term, at.term);
+    }
+    void sum(const Rgb<T>& L) { put(L, into_.radiance); }
+
+private:
+    static void put(const Vec3<T>& v, T (&to)[3]) { to[0] = v.x, to[1] = v.y, to[2] = v.z; }
+    static void put(const Rgb<T>& v, T (&to)[3]) { to[0] = v.r, to[1] = v.g, to[2] = v.b; }
+    PointReport<T>& into_;
+};
+
+template <class Model, Real R, class Watching = NoWitness>
 SpanEvents illuminate_span(const SurfaceSpan<Scalar<R>>& span, const Lighting<Scalar<R>>& lighting,
-                           const MaterialParams<Scalar<R>>& material) {
+                           const MaterialParams<Scalar<R>>& material,
+                           [[maybe_unused]] Watching witness = {}) {
+    constexpr bool watched = !std::is_same_v<Watching, NoWitness>;
     SpanEvents events;
     for (std::size_t i = 0; i < span.count; i += RealTraits<R>::width) {
         const Vec3<R> P = load_vec3<R>(span.position, i);
@@ -110,9 +158,12 @@ SpanEvents illuminate_span(const SurfaceSpan<Scalar<R>>& span, const Lighting<Sc
                       RealTraits<R>::load(span.albedo[1] + i),
                       RealTraits<R>::load(span.albedo[2] + i)};
         const ParamPack<R> params = param_pack<Model, R>(material, albedo);
-        Rgb<R> L =
-            ambient_term(uniform_rgb<R>(lighting.ambient), uniform_rgb<R>(material.ka) * albedo) +
-            uniform_rgb<R>(material.emission);
+        const Rgb<R> ambient =
+            ambient_term(uniform_rgb<R>(lighting.ambient), uniform_rgb<R>(material.ka) * albedo);
+        const Rgb<R> emission = uniform_rgb<R>(material.emission);
+        Rgb<R> L = ambient + emission;
+        if constexpr (watched) witness.point(P, n, wo, albedo);
+        if constexpr (watched) witness.unreflected(ambient, emission);
         for (const LightTerm<Scalar<R>>& light : lighting.lights) {
             const Vec3<R> to_light = uniform_vec3<R>(light.position) - P * R(light.point_scale);
             const R distance2 = dot(to_light, to_light);
@@ -120,9 +171,14 @@ SpanEvents illuminate_span(const SurfaceSpan<Scalar<R>>& span, const Lighting<Sc
             const Vec3<R> wi = to_light * inv_distance;
             const Cosines<R> c = cosines(n, wi, wo);
             const R factor = select(c.n_i > R(0), arriving(light, wi, distance), R(0));
-            L = L + light_term(factor, uniform_rgb<R>(light.irradiance), Model::f_cos(c, params));
+            const Rgb<R> f_cos = Model::f_cos(c, params);
+            const Rgb<R> term = light_term(factor, uniform_rgb<R>(light.irradiance), f_cos);
+            L = L + term;
+            if constexpr (watched)
+                witness.light(light, wi, distance, factor, c, params, f_cos, term);
             if (light.touches) events.light_at_surface += count_nearer<R>(span, i, distance, light);
         }
+        if constexpr (watched) witness.sum(L);
         RealTraits<R>::store(L.r, span.radiance[0] + i);
         RealTraits<R>::store(L.g, span.radiance[1] + i);
         RealTraits<R>::store(L.b, span.radiance[2] + i);

@@ -28,6 +28,10 @@ struct lambert {
     static Rgb<R> f_cos(const Cosines<R>& c, const ParamPack<R>& p) {
         return lambert_brdf(p.rgb(kd)) * c.n_i;
     }
+    template <class T>
+    static void terms(const Cosines<T>& c, const ParamPack<T>& p, BracketTerms<T>& out) {
+        out.part("k_d (N·L)", p.rgb(kd) * c.n_i);
+    }
 };
 
 #include "brdf/model_end.hpp"

@@ -36,6 +36,19 @@ std::array<T, 3> f_cos(const Cosines<T>& c,
     return {plain(f.r), plain(f.g), plain(f.b)};
 }
 
+template <class T>
+SpanEvents illuminate(const SurfaceSpan<T>& span, const Lighting<T>& lighting,
+                      const MaterialParams<T>& material) {
+    return HWY_NAMESPACE::illuminate_span<Model, T>(span, lighting, material);
+}
+
+template <class T>
+void report(const SurfaceSpan<T>& span, const Lighting<T>& lighting,
+            const MaterialParams<T>& material, PointReport<T>& into) {
+    HWY_NAMESPACE::illuminate_span<Model, T>(span, lighting, material,
+                                             HWY_NAMESPACE::Witness<Model, T>(into));
+}
+
 template <class M>
 void derive(MaterialParams<double>& params) {
     if constexpr (requires { M::derive(params); }) M::derive(params);
@@ -79,9 +92,11 @@ const BrdfInfo SCANSHADE_ROW(SCANSHADE_MODEL) = {
     .f_cos_f80 = f_cos<long double, long double>,
     .f_cos_interval = f_cos<HWY_NAMESPACE::Interval, PlainInterval>,
     .f_cos_dual = f_cos<HWY_NAMESPACE::Dual, PlainDual>,
-    .illuminate_f32 = HWY_NAMESPACE::illuminate_span<Model, float>,
-    .illuminate_f64 = HWY_NAMESPACE::illuminate_span<Model, double>,
+    .illuminate_f32 = illuminate<float>,
+    .illuminate_f64 = illuminate<double>,
     .illuminate_simd = illuminate_dispatched,
+    .report_f32 = report<float>,
+    .report_f64 = report<double>,
 };
 #undef SCANSHADE_ROW
 #undef SCANSHADE_ROW_

@@ -37,6 +37,15 @@ struct modified_phong {
                                    c.r_o) *
                c.n_i;
     }
+    template <class T>
+    static void terms(const Cosines<T>& c, const ParamPack<T>& p, BracketTerms<T>& out) {
+        const T power = pow_shininess(c.r_o, p.exponent(n));
+        const T lobe = (p.number(n) + T(2)) * T(0.5) * power;
+        out.factor("(R·V)ⁿ", power);
+        out.factor("(n + 2)/2 (R·V)ⁿ", lobe);
+        out.part("ρ_d (N·L)", p.rgb(rho_d) * c.n_i);
+        out.part("ρ_s (n + 2)/2 (R·V)ⁿ (N·L)", p.rgb(rho_s) * lobe * c.n_i);
+    }
 };
 
 #include "brdf/model_end.hpp"

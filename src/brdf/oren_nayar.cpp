@@ -40,6 +40,15 @@ struct oren_nayar {
         const OrenNayarCoefficients<R> k{p.derived(A), p.derived(B)};
         return oren_nayar_f_cos(p.rgb(rho), k, c.n_i, c.n_o, c.s_io);
     }
+    template <class T>
+    static void terms(const Cosines<T>& c, const ParamPack<T>& p, BracketTerms<T>& out) {
+        const T share = max(c.s_io, T(0)) * (c.n_i / max(c.n_i, c.n_o));
+        out.factor("A", p.derived(A));
+        out.factor("B", p.derived(B));
+        out.factor("sinα tanβ cos(φ_i − φ_o) (N·L)", share);
+        out.part("ρ A (N·L)", p.rgb(rho) * (p.derived(A) * c.n_i));
+        out.part("ρ B sinα tanβ cos(φ_i − φ_o) (N·L)", p.rgb(rho) * (p.derived(B) * share));
+    }
 };
 
 #include "brdf/model_end.hpp"

@@ -38,6 +38,13 @@ struct phong {
         if (p.matt()) return p.rgb(kd) * inv_pi_as<R>() * c.n_i;
         return phong_f_cos(p.rgb(kd), p.rgb(ks), p.exponent(shininess), c.n_i, c.r_o);
     }
+    template <class T>
+    static void terms(const Cosines<T>& c, const ParamPack<T>& p, BracketTerms<T>& out) {
+        const T power = pow_shininess(c.r_o, p.exponent(shininess));
+        out.factor("(R·V)ˢ", power);
+        out.part("k_d (N·L)", p.rgb(kd) * c.n_i);
+        out.part("k_s (R·V)ˢ", p.rgb(ks) * power);
+    }
 };
 
 #include "brdf/model_end.hpp"

@@ -91,6 +91,17 @@ struct torrance_sparrow {
         return lambert_brdf(p.rgb(rho)) * c.n_i +
                torrance_sparrow_f_cos(F(c, p), G_over_4_cos_o(c, p), D(c, p));
     }
+    template <class T>
+    static void terms(const Cosines<T>& c, const ParamPack<T>& p, BracketTerms<T>& out) {
+        const T d = D(c, p), g = G_over_4_cos_o(c, p);
+        const Rgb<T> f = F(c, p);
+        out.factor("ω_i·h", c.i_h);
+        out.factor("D(h)", d);
+        out.factor("G/(4 cosθ_o)", g);
+        out.factor_rgb("F(ω_i·h)", f);
+        out.part("ρ (N·L)", p.rgb(rho) * c.n_i);
+        out.part("π F G D/(4 cosθ_o)", torrance_sparrow_f_cos(f, g, d) * T(pi));
+    }
 };
 
 #include "brdf/model_end.hpp"

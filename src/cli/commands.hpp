@@ -22,6 +22,7 @@ int run_explain(OptionParser& options, char** args);
 int run_compare(OptionParser& options, char** args);
 int run_sheet(OptionParser& options, char** args);
 int run_brdf(OptionParser& options, char** args);
+int run_inspect(OptionParser& options, char** args);
 int run_info(OptionParser& options, char** args);
 int run_report(OptionParser& options, char** args);
 

@@ -20,6 +20,8 @@ constexpr Command commands[] = {
     {"info", "INPUT [options]", "what is in the input: counts, materials, lights, defects",
      run_info},
     {"explain", "INPUT [options]", "every stage of drawing, run or left out, and why", run_explain},
+    {"inspect", "INPUT --pixel X,Y [options]",
+     "the equation at one pixel with its numbers, in float and in double", run_inspect},
     {"sheet", "INPUT -o OUT.png [options]", "one picture of every shading with every brdf",
      run_sheet},
     {"report", "plan|speed|stability [INPUT...] -o DIR [options]",

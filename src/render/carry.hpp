@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "render/faces.hpp"
@@ -61,21 +62,21 @@ std::optional<PatchPlace> inverse_bilinear(const PictureCorner& A, const Picture
                                            const PictureCorner& C, const PictureCorner& D,
                                            const PictureCorner& p);
 
-/// The place of a sample in a whole polygon: the two edges that its row crosses.
+/// The place of a sample in a polygon: the two edges that its row crosses.
 template <class R>
-Place<R> polygon_place(const DrawnFace& face, SnappedPoint p) {
+Place<R> polygon_place(std::span<const PictureCorner> corner, SnappedPoint p) {
     struct Crossing {
         std::uint32_t from, to;
         double from_y, to_y, x;
     };
     Crossing crossing[2] = {};
     std::size_t found = 0;
-    const std::size_t n = face.corner.size();
+    const std::size_t n = corner.size();
     for (std::size_t i = 0; i < n && found < 2; ++i) {
         const std::size_t j = (i + 1) % n;
-        const double from_y = face.corner[i].y - p.y, to_y = face.corner[j].y - p.y;
+        const double from_y = corner[i].y - p.y, to_y = corner[j].y - p.y;
         if ((from_y > 0) == (to_y > 0)) continue;  // half open, as the walker has it
-        const double from_x = face.corner[i].x - p.x, to_x = face.corner[j].x - p.x;
+        const double from_x = corner[i].x - p.x, to_x = corner[j].x - p.x;
         crossing[found++] = {std::uint32_t(i), std::uint32_t(j), from_y, to_y,
                              (to_x * from_y - from_x * to_y) / (from_y - to_y)};
     }
@@ -93,7 +94,7 @@ Place<R> polygon_place(const DrawnFace& face, SnappedPoint p) {
 /// The place of a sample in a drawn face that is not a patch. Counts clamped weights.
 template <class R>
 Place<R> place_in(const DrawnFace& face, const Frame& frame, SnappedPoint p, EventCounts& events) {
-    if (face.carrier == Carrier::polygon) return polygon_place<R>(face, p);
+    if (face.carrier == Carrier::polygon) return polygon_place<R>(face.corner, p);
     const bool affine = frame.view.orthographic || frame.plan.interpolation == Interpolation::edges;
     Place<R> at{};
     at.kind = Place<R>::Kind::weights;

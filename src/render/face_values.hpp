@@ -70,8 +70,25 @@ public:
     TextureGradient gradient(SnappedPoint p) const {
         return planes_.gradient(frame_.view, p, 1.0 / frame_.plan.samples_side);
     }
+    /// The texture's colour at a sample; 1 where there is none.
+    std::array<float, 3> albedo(const Place<T>& at, SnappedPoint p) const {
+        if (texture == nullptr) return {1, 1, 1};
+        const Vec3<T> uv = texcoord(at);
+        return texture->sample(static_cast<float>(uv.x), static_cast<float>(uv.y), gradient(p));
+    }
+    /// Light that was evaluated at lit points, at a sample. Reflected light is linear in the albedo,
+    /// so two lit values give it at any.
+    Rgb<T> lit(const Place<T>& at, const std::array<float, 3>& albedo) const {
+        const Rgb<T> white = lit(at);
+        if (texture == nullptr) return white;
+        const Rgb<T> black = dark(at);
+        return {black.r + T(albedo[0]) * (white.r - black.r),
+                black.g + T(albedo[1]) * (white.g - black.g),
+                black.b + T(albedo[2]) * (white.b - black.b)};
+    }
     Rgb<T> lit(const Place<T>& at) const { return value(at, radiance); }
     Rgb<T> dark(const Place<T>& at) const { return value(at, unreflecting); }
+    const std::vector<Vec3<T>>& corner_normals() const { return normal_; }
 
     DrawnFace drawn;
     std::uint32_t material = 0;

@@ -22,16 +22,6 @@ void load_corners(const Frame& frame, DrawnFace& face) {
     face.empty = all != 0;
 }
 
-/// A corner between near and far, wherever it is on the picture.
-PictureCorner picture_corner(const View& view, const VertexState& vertex) {
-    if (vertex.outcode == 0) return {double(vertex.point.x), double(vertex.point.y)};
-    const ClipVertex& c = vertex.clip;
-    const auto to_grid = [&](float x, int size) {
-        return std::nearbyint(double(x) / double(c.w) * subpixels) + size * (subpixels / 2);
-    };
-    return {to_grid(c.x, view.width), to_grid(c.y, view.height)};
-}
-
 double turn(const PictureCorner& a, const PictureCorner& b, const PictureCorner& c) {
     return (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
 }
@@ -64,6 +54,15 @@ double polygon_area(const std::vector<PictureCorner>& p) {
 }
 
 }  // namespace
+
+PictureCorner picture_corner(const View& view, const VertexState& vertex) {
+    if (vertex.outcode == 0) return {double(vertex.point.x), double(vertex.point.y)};
+    const ClipVertex& c = vertex.clip;
+    const auto to_grid = [&](float x, int size) {
+        return std::nearbyint(double(x) / double(c.w) * subpixels) + size * (subpixels / 2);
+    };
+    return {to_grid(c.x, view.width), to_grid(c.y, view.height)};
+}
 
 /// Cofactors of the matrix whose rows are the corners (x, y, w).
 HomogeneousEdges homogeneous_edges(const ClipVertex* const (&v)[3]) {

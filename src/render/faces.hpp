@@ -27,6 +27,9 @@ struct PictureCorner {
     double x, y;
 };
 
+/// A corner between near and far, wherever it is on the picture.
+PictureCorner picture_corner(const View& view, const VertexState& vertex);
+
 /// Homogeneous edge functions (Olano and Greer 1997): at (X, Y) in pixels from the centre,
 /// λ_i ∝ a_i X + b_i Y + c_i are the perspective-correct weights of the corners, and their sum is
 /// 1/w times the same factor. Corners behind the eye do no harm: nothing is divided by their w.

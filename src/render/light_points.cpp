@@ -54,13 +54,7 @@ void light_range(const Frame& frame, const ObjectSurface& surface, Shading shadi
     Batch<T> batch;
     batch.textured = true;
     for (std::size_t i = begin; i < end; ++i) {
-        const auto number = static_cast<std::uint32_t>(points.key[i]);
-        const bool back = ((points.key[i] >> 32) & 1) != 0;
-        const glm::dvec3 normal =
-            shading == Shading::flat ? surface.face_normal(number) : surface.vertex_normal(number);
-        batch.push(to_vec3<T>(shading == Shading::flat ? surface.face_centre(number)
-                                                       : surface.vertex_position(number)),
-                   to_vec3<T>(back ? -normal : normal), i);
+        push_lit_point(batch, surface, shading, points.key[i], i);
         batch.push_albedo({albedo, albedo, albedo});
     }
     batch.illuminate(material, lighting.of(material), events);

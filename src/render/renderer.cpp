@@ -36,52 +36,6 @@ const RenderPlan& Renderer::plan() const { return state_->plan; }
 
 namespace {
 
-/// Sample (i, j) of a regular grid of side × side in a pixel, to the nearest 1/256.
-SampleOffset grid_sample(int i, int j, int side) {
-    const auto at = [side](int k) { return (2 * k + 1) * subpixels / (2 * side); };
-    return {at(i), at(j)};
-}
-
-void run_stage(std::size_t number, Frame& frame, FrameStats& stats) {
-    const Stage& stage = stages_of(frame.plan.renderer)[number];
-    if (!stage.needed(frame.plan)) return;
-    StageStats& row = stats.stages[number];
-    frame.items = 0;
-    const Timer timer;
-    stage.run(frame);
-    row.ms += timer.ms();
-    row.ran = true;
-    row.items += frame.items;
-}
-
-/// Stages of each sample once for every sample, in rows of samples; the others once, before or after.
-void run_stages(Frame& frame, FrameStats& stats) {
-    const auto stages = stages_of(frame.plan.renderer);
-    for (const Stage& stage : stages)
-        stats.stages.push_back({stage.name, false, 0, 0, stage.item_name});
-    const auto is_each = [](const Stage& stage) { return stage.each_sample; };
-    const auto first = std::find_if(stages.begin(), stages.end(), is_each);
-    const auto last = std::find_if_not(first, stages.end(), is_each);
-    const auto run = [&](auto from, auto to) {
-        for (auto stage = from; stage != to; ++stage)
-            run_stage(static_cast<std::size_t>(stage - stages.begin()), frame, stats);
-    };
-    run(stages.begin(), first);
-    const int side = frame.plan.samples_side;
-    for (int j = 0; j < side; ++j)
-        for (int i = 0; i < side; ++i) {
-            frame.sample = grid_sample(i, j, side);
-            frame.first_sample = i == 0 && j == 0;
-            run(first, last);
-        }
-    run(last, stages.end());
-    for (const StageStats& row : stats.stages)
-        if (row.name == "shade") stats.covered_samples = row.items;
-    stats.events = frame.events;
-    stats.saved = frame.saved;
-    stats.tolerated_lights = frame.tolerated_lights;
-}
-
 std::uint32_t background_bytes(const RenderPlan& plan) {
     Framebuffer pixel(1, 1);
     pixel.r[0] = plan.background[0], pixel.g[0] = plan.background[1],

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "render/face_values.hpp"
+#include "render/lit_values.hpp"
 
 namespace scanshade {
 namespace {
@@ -27,7 +27,7 @@ public:
         for (int x = 0; x < frame_.view.width; ++x) {
             const std::size_t at = row + static_cast<std::size_t>(x);
             if (frame_.id[at] == Framebuffer::no_triangle) continue;
-            if (face_.begin(frame_.id[at])) load_lit();
+            if (face_.begin(frame_.id[at])) load_lit(frame_, face_);
             shade_sample(sample_point(x, y, frame_.sample), at);
             ++frame_.items;
         }
@@ -37,41 +37,13 @@ public:
     const PatchFallbacks& fallbacks() const { return face_.fallbacks; }
 
 private:
-    void load_lit() {
-        if (face_.shading == Shading::flat) load_lit(face_.drawn.face);
-        if (face_.shading == Shading::gouraud)
-            for (const std::uint32_t v : face_.vertex) load_lit(v);
-    }
-
-    void load_lit(std::uint64_t number) {
-        const LitPoints<T>& points = lit_points<T>(frame_)[face_.drawn.object];
-        const std::uint64_t key = lit_key(face_.material, face_.drawn.back, number);
-        const auto at = static_cast<std::size_t>(
-            std::lower_bound(points.key.begin(), points.key.end(), key) - points.key.begin());
-        const auto rgb = [at](const std::vector<T>(&from)[3]) {
-            return Rgb<T>{from[0][at], from[1][at], from[2][at]};
-        };
-        face_.radiance.push_back(rgb(points.radiance));
-        if (face_.texture != nullptr) face_.unreflecting.push_back(rgb(points.unreflecting));
-    }
-
     void shade_sample(SnappedPoint p, std::size_t to) {
         const bool flat = face_.shading == Shading::flat;
         if (flat && face_.texture == nullptr) return add(to, face_.radiance[0]);
         const Place<T> at = face_.place(p);
-        std::array<float, 3> albedo{1, 1, 1};
-        if (face_.texture != nullptr) {
-            const Vec3<T> uv = face_.texcoord(at);
-            albedo = face_.texture->sample(static_cast<float>(uv.x), static_cast<float>(uv.y),
-                                           face_.gradient(p));
-        }
+        const std::array<float, 3> albedo = face_.albedo(at, p);
         if (face_.shading == Shading::phong) return push_phong(at, albedo, to);
-        const Rgb<T> lit = face_.lit(at);
-        if (face_.texture == nullptr) return add(to, lit);
-        // Reflected light is linear in the albedo, so two lit values give it at any.
-        const Rgb<T> dark = face_.dark(at);
-        add(to, {dark.r + T(albedo[0]) * (lit.r - dark.r), dark.g + T(albedo[1]) * (lit.g - dark.g),
-                 dark.b + T(albedo[2]) * (lit.b - dark.b)});
+        add(to, face_.lit(at, albedo));
     }
 
     void push_phong(const Place<T>& at, const std::array<float, 3>& albedo, std::size_t to) {

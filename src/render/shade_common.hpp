@@ -36,6 +36,17 @@ inline std::uint64_t lit_key(std::uint32_t material, bool back, std::uint64_t nu
     return (std::uint64_t(material) << 33) | (std::uint64_t(back) << 32) | number;
 }
 
+/// Adds the surface point of a key: the middle of a face (flat) or a vertex (Gouraud).
+template <class T>
+void push_lit_point(Batch<T>& batch, const ObjectSurface& surface, Shading shading,
+                    std::uint64_t key, std::size_t to) {
+    const auto number = static_cast<std::uint32_t>(key);
+    const bool flat = shading == Shading::flat, back = ((key >> 32) & 1) != 0;
+    const glm::dvec3 normal = flat ? surface.face_normal(number) : surface.vertex_normal(number);
+    batch.push(to_vec3<T>(flat ? surface.face_centre(number) : surface.vertex_position(number)),
+               to_vec3<T>(back ? -normal : normal), to);
+}
+
 /// The material of a face, as an index into the plan's and the scene's.
 inline std::uint32_t material_of(const Frame& frame, std::size_t object, std::size_t face) {
     const Mesh& mesh = *frame.scene.objects[object].mesh;

@@ -8,6 +8,7 @@
 #include "render/lighting.hpp"
 #include "render/shade.hpp"
 #include "render/visibility.hpp"
+#include "scanshade/base/timer.hpp"
 
 namespace scanshade {
 namespace {
@@ -145,6 +146,56 @@ constexpr Stage simd_stages[] = {
 std::span<const Stage> stages_of(RendererKind renderer) {
     if (renderer == RendererKind::simd) return simd_stages;
     return scalar_stages;
+}
+
+namespace {
+
+/// Sample (i, j) of a regular grid of side × side in a pixel, to the nearest 1/256.
+SampleOffset grid_sample(int i, int j, int side) {
+    const auto at = [side](int k) { return (2 * k + 1) * subpixels / (2 * side); };
+    return {at(i), at(j)};
+}
+
+void run_stage(std::size_t number, Frame& frame, FrameStats& stats) {
+    const Stage& stage = stages_of(frame.plan.renderer)[number];
+    if (!stage.needed(frame.plan)) return;
+    StageStats& row = stats.stages[number];
+    frame.items = 0;
+    const Timer timer;
+    stage.run(frame);
+    row.ms += timer.ms();
+    row.ran = true;
+    row.items += frame.items;
+}
+
+}  // namespace
+
+void run_stages(Frame& frame, FrameStats& stats, const std::function<void()>& after_sample) {
+    const auto stages = stages_of(frame.plan.renderer);
+    for (const Stage& stage : stages)
+        stats.stages.push_back({stage.name, false, 0, 0, stage.item_name});
+    const auto is_each = [](const Stage& stage) { return stage.each_sample; };
+    const auto first = std::find_if(stages.begin(), stages.end(), is_each);
+    const auto last = std::find_if_not(first, stages.end(), is_each);
+    const auto run = [&](auto from, auto to) {
+        for (auto stage = from; stage != to; ++stage)
+            run_stage(static_cast<std::size_t>(stage - stages.begin()), frame, stats);
+    };
+    run(stages.begin(), first);
+    const int side = frame.plan.samples_side;
+    for (int j = 0; j < side; ++j)
+        for (int i = 0; i < side; ++i) {
+            frame.sample = grid_sample(i, j, side);
+            frame.first_sample = i == 0 && j == 0;
+            run(first, last);
+            if (after_sample) after_sample();
+        }
+    run(last, stages.end());
+    for (const StageStats& row : stats.stages)
+        if (row.name == "shade") stats.covered_samples = row.items;
+    stats.events = frame.events;
+    stats.saved = frame.saved;
+    stats.tolerated_lights = frame.tolerated_lights;
 }
 
 }  // namespace scanshade

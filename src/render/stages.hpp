@@ -1,6 +1,7 @@
 // The stages of a picture, as rows of one table.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,5 +21,10 @@ struct Stage {
 
 /// Those of a renderer, in the order in which they run.
 std::span<const Stage> stages_of(RendererKind renderer);
+
+/// Runs those of the plan's renderer that are needed: those of each sample once for every sample, in
+/// rows of samples; the others once, before or after. `after_sample` is called while the frame still
+/// has what a sample's stages found.
+void run_stages(Frame& frame, FrameStats& stats, const std::function<void()>& after_sample = {});
 
 }  // namespace scanshade

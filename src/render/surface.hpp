@@ -74,6 +74,29 @@ struct Batch {
     void illuminate(const ResolvedMaterial& material, const Lighting<T>& lighting,
                     EventCounts& events) {
         if (target.empty()) return;
+        const SurfaceSpan<T> points = span();
+        SpanEvents seen;
+        if constexpr (std::is_same_v<T, float>)
+            seen = (vectors ? material.brdf->illuminate_simd : material.brdf->illuminate_f32)(
+                points, lighting, to_float(material.params));
+        else
+            seen = material.brdf->illuminate_f64(points, lighting, material.params);
+        events.add(Event::light_at_surface, seen.light_at_surface);
+    }
+
+    /// What illuminating the one point of a batch computes.
+    PointReport<T> report(const ResolvedMaterial& material, const Lighting<T>& lighting) {
+        PointReport<T> out{};
+        if constexpr (std::is_same_v<T, float>)
+            material.brdf->report_f32(span(), lighting, to_float(material.params), out);
+        else
+            material.brdf->report_f64(span(), lighting, material.params, out);
+        return out;
+    }
+
+private:
+    /// All points, padded, with room for their radiance.
+    SurfaceSpan<T> span() {
         const std::size_t whole = padded(size());
         SurfaceSpan<T> span{};
         for (int c = 0; c < 3; ++c) {
@@ -87,13 +110,7 @@ struct Batch {
             span.radiance[c] = radiance[c].data();
         }
         span.count = size();
-        SpanEvents seen;
-        if constexpr (std::is_same_v<T, float>)
-            seen = (vectors ? material.brdf->illuminate_simd : material.brdf->illuminate_f32)(
-                span, lighting, to_float(material.params));
-        else
-            seen = material.brdf->illuminate_f64(span, lighting, material.params);
-        events.add(Event::light_at_surface, seen.light_at_surface);
+        return span;
     }
 };
 

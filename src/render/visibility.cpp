@@ -31,7 +31,7 @@ float triangle_depth(const DrawnFace& face, SnappedPoint p, SampleOffset sample)
 
 /// (C3) of the corners' depths.
 float polygon_depth(const DrawnFace& face, SnappedPoint p) {
-    const Place<float> at = polygon_place<float>(face, p);
+    const Place<float> at = polygon_place<float>(face.corner, p);
     const auto depth = [&](std::uint32_t corner) { return face.state[corner].depth; };
     return along_span(along_edge(depth(at.a), depth(at.b), at.a_y, at.b_y, at.y),
                       along_edge(depth(at.c), depth(at.d), at.c_y, at.d_y, at.y), at.ab_x, at.cd_x,

@@ -137,6 +137,7 @@ Material MaterialLibraries::make(const std::string& name) {
     const double illum = subject.number("illum").value_or(2);
     if (illum == 0) material.brdf = "unlit";
     material.map_kd = texture(subject);
+    if (material.map_kd) material.map_file = material.map_kd->name;
     std::optional<Colour> kd = subject.colour("Kd", 1);
     const bool has_colour = kd && *kd != Colour{};
     if (!subject.entry.map_kd.empty() && !has_colour)

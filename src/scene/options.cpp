@@ -146,44 +146,75 @@ bool flag(std::string_view option, std::string_view value) {
     fail(option, "true or false", value);
 }
 
+template <class Enum>
+std::string name_of(std::span<const std::string_view> names, Enum value) {
+    return std::string(names[static_cast<std::size_t>(value)]);
+}
+std::string three_text(const glm::dvec3& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); }
+
+constexpr OptionControl pick(std::string_view choices, bool while_loading = false) {
+    return {OptionControl::choice, 0, 0, {}, choices, while_loading};
+}
+constexpr OptionControl slide(double low, double high, std::string_view unit,
+                              bool while_loading = false) {
+    return {OptionControl::number, low, high, unit, {}, while_loading};
+}
+constexpr OptionControl tick(bool while_loading) {
+    return {OptionControl::flag, 0, 0, {}, {}, while_loading};
+}
+
 // A light given anew replaces the scene's, one given again is added to it.
 constexpr OptionInfo options[] = {
     {"resolution", "W,H", "size of the picture in pixels, 1 to 16384 each", false, false,
-     set_resolution},
+     set_resolution, [](const Settings& s) { return fmt::format("{},{}", s.width, s.height); }},
     {"shading", "flat|gouraud|phong",
      "where reflection is evaluated: at faces, at vertices, at pixels", false, false,
-     [](Settings& s, std::string_view v) { s.shading = choice<Shading>("shading", shadings, v); }},
+     [](Settings& s, std::string_view v) { s.shading = choice<Shading>("shading", shadings, v); },
+     [](const Settings& s) { return name_of(shadings, s.shading); }, pick("flat|gouraud|phong")},
     {"brdf", "NAME|unlit", "reflection model of every material; see `scanshade brdf list`", false,
-     false, [](Settings& s, std::string_view v) { s.brdf = v; }},
+     false, [](Settings& s, std::string_view v) { s.brdf = v; },
+     [](const Settings& s) { return s.brdf; }},
     {"set", "NAME=V[,V,V]|NAME=WORD",
      "a parameter of every material, such as shininess=80 or distribution=ggx", true, false,
      set_parameter},
     {"interpolation", "perspective|edges|patch", "how values travel inside a polygon", false, false,
      [](Settings& s, std::string_view v) {
          s.interpolation = choice<Interpolation>("interpolation", interpolations, v);
-     }},
+     },
+     [](const Settings& s) { return name_of(interpolations, s.interpolation); },
+     pick("perspective|edges|patch")},
     {"renderer", "simd|scalar-f32|scalar-f64",
      "the fast one; or sample by sample in float or double", false, false,
      [](Settings& s, std::string_view v) {
          s.renderer = choice<RendererKind>("renderer", renderers, v);
-     }},
+     },
+     [](const Settings& s) { return name_of(renderers, s.renderer); },
+     pick("simd|scalar-f32|scalar-f64")},
     {"isa", "auto|avx3|avx2|sse4|ssse3|scalar", "instruction set of the simd renderer", false,
-     false, set_isa},
+     false, set_isa, [](const Settings& s) { return s.isa.empty() ? std::string("auto") : s.isa; }},
     {"threads", "N", "threads of the simd renderer; 0: all that the machine runs", false, false,
-     set_threads},
-    {"samples", "N", "samples a pixel, a square number from 1 to 1024", false, false, set_samples},
+     set_threads, [](const Settings& s) { return fmt::format("{}", s.threads); },
+     OptionControl{OptionControl::whole, 0, 16, {}, {}, false}},
+    {"samples", "N", "samples a pixel, a square number from 1 to 1024", false, false, set_samples,
+     [](const Settings& s) { return fmt::format("{}", s.samples); },
+     pick("1|4|9|16|25|64|256|1024")},
     {"power", "squaring|exp-log", "how a whole exponent is raised: by squaring, or as e^(s log x)",
      false, false,
-     [](Settings& s, std::string_view v) { s.power = choice<PowerForm>("power", powers, v); }},
+     [](Settings& s, std::string_view v) { s.power = choice<PowerForm>("power", powers, v); },
+     [](const Settings& s) { return name_of(powers, s.power); }, pick("squaring|exp-log")},
     {"transfer", "srgb|linear", "curve from radiance to bytes", false, false,
      [](Settings& s, std::string_view v) {
          s.transfer = choice<Transfer>("transfer", transfers, v);
-     }},
+     },
+     [](const Settings& s) { return name_of(transfers, s.transfer); }, pick("srgb|linear")},
     {"exposure", "EV", "radiance is multiplied by 2^EV, -100 to 100", false, false,
      [](Settings& s, std::string_view v) {
          s.exposure_ev = real_between("exposure", -100, 100, "a number from -100 to 100", v);
-     }},
-    {"background", "R,G,B", "linear radiance where nothing is drawn", false, false, set_background},
+     },
+     [](const Settings& s) { return fmt::format("{}", s.exposure_ev); }, slide(-8, 8, "EV")},
+    {"background", "R,G,B", "linear radiance where nothing is drawn", false, false, set_background,
+     [](const Settings& s) { return three_text(s.background); },
+     OptionControl{OptionControl::colour, 0, 1, {}, {}, false}},
     {"camera-position", "X,Y,Z", "where the camera stands", false, false,
      [](Settings& s, std::string_view v) { s.camera_position = point("camera-position", v); }},
     {"camera-focal-point", "X,Y,Z", "what the camera looks at", false, false,
@@ -210,26 +241,35 @@ constexpr OptionInfo options[] = {
      false,
      [](Settings& s, std::string_view v) {
          s.normals.source = choice<NormalSource>("normals", normal_sources, v);
-     }},
+     },
+     [](const Settings& s) { return name_of(normal_sources, s.normals.source); },
+     pick("file|average|area|angle", true)},
     {"crease", "DEG", "faces at a larger angle share no normal, 0 to 180 (never split)", false,
      false,
      [](Settings& s, std::string_view v) {
          s.normals.crease_deg = real_between("crease", 0, 180, "degrees from 0 to 180", v);
-     }},
+     },
+     [](const Settings& s) { return fmt::format("{}", s.normals.crease_deg); },
+     slide(0, 180, "°", true)},
     {"cull", "none|back", "leave out faces seen from behind", false, false,
-     [](Settings& s, std::string_view v) { s.cull = choice<Cull>("cull", culls, v); }},
+     [](Settings& s, std::string_view v) { s.cull = choice<Cull>("cull", culls, v); },
+     [](const Settings& s) { return name_of(culls, s.cull); }, pick("none|back")},
     {"tolerance", "LEVELS",
      "leave out of a tile lights that add less than that many of 255 levels together, 0 to 255",
      false, false,
      [](Settings& s, std::string_view v) {
          s.tolerance = real_between("tolerance", 0, 255, "a number of levels from 0 to 255", v);
-     }},
+     },
+     [](const Settings& s) { return fmt::format("{}", s.tolerance); }, slide(0, 8, "levels")},
     {"no-plan", "", "leave nothing out that the picture does not need", false, true,
-     [](Settings& s, std::string_view v) { s.no_plan = flag("no-plan", v); }},
+     [](Settings& s, std::string_view v) { s.no_plan = flag("no-plan", v); },
+     [](const Settings& s) { return std::string(s.no_plan ? "true" : "false"); }, tick(false)},
     {"mtl-ambient", "", "take k_a from the MTL file instead of from Kd", false, true,
-     [](Settings& s, std::string_view v) { s.mtl_ambient = flag("mtl-ambient", v); }},
+     [](Settings& s, std::string_view v) { s.mtl_ambient = flag("mtl-ambient", v); },
+     [](const Settings& s) { return std::string(s.mtl_ambient ? "true" : "false"); }, tick(true)},
     {"up", "y|z", "axis that points up in an OBJ file", false, false,
-     [](Settings& s, std::string_view v) { s.up = choice<UpAxis>("up", up_axes, v); }},
+     [](Settings& s, std::string_view v) { s.up = choice<UpAxis>("up", up_axes, v); },
+     [](const Settings& s) { return name_of(up_axes, s.up); }, pick("y|z", true)},
 };
 
 }  // namespace

@@ -78,11 +78,15 @@ glm::dvec3 normalised_origin(const Scene& scene, const Bounds& bounds) {
 
 }  // namespace
 
-Scene normalised(const Scene& scene) {
+Normalisation normalisation(const Scene& scene) {
     const Bounds bounds = scene.bounds();
-    const double unit = std::exp2(std::ilogb(bounds.radius));  // world units in one of ours
-    const glm::dvec3 origin = normalised_origin(scene, bounds);
-    const auto point = [&](const glm::dvec3& p) { return (p - origin) / unit; };
+    return {normalised_origin(scene, bounds), std::exp2(std::ilogb(bounds.radius))};
+}
+
+Scene normalised(const Scene& scene) {
+    const Normalisation to = normalisation(scene);
+    const double unit = to.unit, usual_radius = 1e-4 * scene.bounds().radius;
+    const auto point = [&](const glm::dvec3& p) { return (p - to.origin) / unit; };
     Scene out = scene;
     for (Object& object : out.objects) {
         for (int column = 0; column < 3; ++column)
@@ -93,7 +97,7 @@ Scene normalised(const Scene& scene) {
         light.position = point(light.position);
         light.attenuation.y *= unit;
         light.attenuation.z *= unit * unit;
-        light.radius = light.radius.value_or(1e-4 * bounds.radius) / unit;
+        light.radius = light.radius.value_or(usual_radius) / unit;
     }
     if (out.camera) {
         out.camera->position = point(out.camera->position);
@@ -135,6 +139,7 @@ Scene load_obj_scene(const std::filesystem::path& path, const Settings& settings
     Object object;
     object.mesh = std::make_shared<Mesh>(build_mesh(file.soup, settings.normals));
     object.to_world = up_rotation(settings.up);
+    object.mesh_file = path;
     for (std::uint32_t i = 0; i < file.materials.size(); ++i) object.materials.push_back(i);
     scene.events = file.events;
     scene.events += object.mesh->events;

@@ -77,6 +77,7 @@ Material read_material(const TomlReader& reader, const std::filesystem::path& fo
         const std::filesystem::path path = folder / *map;
         try {
             material.map_kd = std::make_shared<Texture>(make_texture(load_image(path), *map));
+            material.map_file = path;
         } catch (const Error& e) {
             throw reader.error(*reader.node("map_kd"), fmt::format("map_kd: {}", e.what()));
         }
@@ -152,6 +153,7 @@ const ObjectReader::Source& ObjectReader::file_source(const TomlReader& reader,
         throw here.at(reader.place(*reader.node("mesh")));
     }
     source.mesh = std::make_shared<Mesh>(build_mesh(file.soup, settings_.normals));
+    source.file = folder_ / name;
     if (source.mesh->face_count() == 0)
         throw Error(Errc::format, fmt::format("mesh: {} has no face that can be drawn",
                                               (folder_ / name).string()))
@@ -183,25 +185,44 @@ const ObjectReader::Source& ObjectReader::shape_source(const TomlReader& reader,
     Source& source = at->second;
     if (!is_new) return source;
     source.mesh = make_shape_mesh(shape, static_cast<int>(n));
+    source.shape = name;
+    source.tessellation = static_cast<int>(n);
     add_materials(source, shape.materials());
     scene_.events += source.mesh->events;
     return source;
 }
 
-std::uint32_t ObjectReader::material_index(const TomlReader& reader) const {
-    const std::string name = *reader.text("material");
+std::uint32_t ObjectReader::material_index(const TomlReader& reader, const toml::node& at) const {
+    const toml::value<std::string>* text = at.as_string();
+    if (text == nullptr) throw reader.error(at, "a material is named by a text in quotes");
+    const std::string& name = text->get();
     if (const auto found = names_.find(name); found != names_.end())
         return static_cast<std::uint32_t>(found->second);
     std::vector<std::string_view> names;
     for (const auto& [known, number] : names_) names.push_back(known);
-    throw reader.error(*reader.node("material"),
-                       fmt::format("no [[material]] has the name '{}'{}", name,
-                                   names.empty() ? "" : suggestion(name, names)));
+    throw reader.error(at, fmt::format("no [[material]] has the name '{}'{}", name,
+                                       names.empty() ? "" : suggestion(name, names)));
+}
+
+void ObjectReader::read_materials(const TomlReader& reader, Object& object) const {
+    if (const toml::node* one = reader.node("material"))
+        std::fill(object.materials.begin(), object.materials.end(), material_index(reader, *one));
+    const toml::node* several = reader.node("materials");
+    if (several == nullptr) return;
+    if (reader.has("material"))
+        throw reader.error(*several, "give either material or materials, not both");
+    const toml::array* names = several->as_array();
+    if (names == nullptr || names->size() != object.materials.size())
+        throw reader.error(*several, fmt::format("materials takes {} names, one for each material "
+                                                 "of the mesh",
+                                                 object.materials.size()));
+    for (std::size_t i = 0; i < names->size(); ++i)
+        object.materials[i] = material_index(reader, *names->get(i));
 }
 
 void ObjectReader::read(const TomlReader& reader) {
     reader.allow_only({"mesh", "shape", "tessellation", "scale", "rotate", "translate", "matrix",
-                       "material", "shading"});
+                       "material", "materials", "shading"});
     const auto mesh = reader.text("mesh"), shape = reader.text("shape");
     if (mesh.has_value() == shape.has_value())
         throw reader.error("[[object]] takes either mesh = \"file.obj\" or shape = \"...\"");
@@ -212,8 +233,9 @@ void ObjectReader::read(const TomlReader& reader) {
     Object object;
     object.mesh = source.mesh;
     object.materials = source.materials;
-    if (reader.has("material"))
-        std::fill(object.materials.begin(), object.materials.end(), material_index(reader));
+    object.mesh_file = source.file, object.shape = source.shape;
+    object.tessellation = source.tessellation;
+    read_materials(reader, object);
     if (const auto shading = reader.choice("shading", shading_names()))
         object.shading = static_cast<Shading>(*shading);
     object.to_world = read_placement(reader);

@@ -35,11 +35,16 @@ private:
     struct Source {
         std::shared_ptr<const Mesh> mesh;
         std::vector<std::uint32_t> materials;
+        std::filesystem::path file;  // or
+        std::string shape;
+        int tessellation = 0;
     };
     const Source& file_source(const TomlReader& reader, const std::string& name);
     const Source& shape_source(const TomlReader& reader, const std::string& name);
     void add_materials(Source& source, std::vector<Material> materials);
-    std::uint32_t material_index(const TomlReader& reader) const;
+    std::uint32_t material_index(const TomlReader& reader, const toml::node& at) const;
+    /// `material` for all of the mesh, or `materials` one by one.
+    void read_materials(const TomlReader& reader, Object& object) const;
 
     std::filesystem::path folder_;
     const Settings& settings_;

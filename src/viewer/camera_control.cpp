@@ -50,12 +50,19 @@ Camera orbited(const Camera& camera, double dx, double dy, int window_height) {
     return moved;
 }
 
+namespace {
+
+/// Size of a pixel at the focal point.
+double pixel_size(const Camera& camera, int window_height) {
+    const double distance = length(camera.position - camera.focal_point);
+    return 2 * distance * std::tan(camera.view_angle_deg * pi / 360) / window_height;
+}
+
+}  // namespace
+
 Camera panned(const Camera& camera, double dx, double dy, int window_height) {
     const glm::dmat3 eye = glm::transpose(eye_rotation(camera));  // columns: right, up, backward
-    const double distance = length(camera.position - camera.focal_point);
-    const double half_angle = camera.view_angle_deg * pi / 360;
-    const double per_pixel = 2 * distance * std::tan(half_angle) / window_height;
-    const glm::dvec3 shift = per_pixel * (dy * eye[1] - dx * eye[0]);
+    const glm::dvec3 shift = pixel_size(camera, window_height) * (dy * eye[1] - dx * eye[0]);
 
     Camera moved = camera;
     moved.position += shift;
@@ -63,15 +70,47 @@ Camera panned(const Camera& camera, double dx, double dy, int window_height) {
     return moved;
 }
 
-Camera zoomed(const Camera& camera, double steps, double radius) {
+Camera zoomed(const Camera& camera, double steps, double radius, double x, double y,
+              int window_height) {
     const glm::dvec3 offset = camera.position - camera.focal_point;
     const double distance = length(offset);
     const double new_distance = limit(distance * std::pow(zoom_per_step, steps),
                                       radius / max_zoom_ratio, radius * max_zoom_ratio, distance);
 
+    const glm::dmat3 eye = glm::transpose(eye_rotation(camera));  // columns: right, up, backward
+    const double scale = new_distance / distance;
+    const double shift = pixel_size(camera, window_height) * (1 - scale);
+
     Camera moved = camera;
-    moved.position = camera.focal_point + offset * (new_distance / distance);
+    moved.focal_point += shift * (x * eye[0] - y * eye[1]);
+    moved.position = moved.focal_point + offset * scale;
     return moved;
+}
+
+Camera seen_from(const Camera& camera, const glm::dvec3& direction) {
+    glm::dvec3 outward = direction / length(direction);
+    if (std::hypot(outward.x, outward.z) < pole_margin) outward.z += pole_margin;
+    Camera moved = camera;
+    moved.view_up = {0, 1, 0};
+    moved.position = camera.focal_point +
+                     outward / length(outward) * length(camera.position - camera.focal_point);
+    return moved;
+}
+
+Camera opposite(const Camera& camera) {
+    Camera moved = camera;
+    moved.position = camera.focal_point - (camera.position - camera.focal_point);
+    return moved;
+}
+
+std::optional<glm::dvec2> project(const Camera& camera, int width, int height,
+                                  const glm::dvec3& point) {
+    const glm::dvec3 at = eye_rotation(camera) * (point - camera.position);
+    const bool orthographic = camera.projection == Projection::orthographic;
+    if (!orthographic && !(-at.z > 0)) return std::nullopt;
+    const double distance = orthographic ? length(camera.position - camera.focal_point) : -at.z;
+    const double pixels = height / (2 * distance * std::tan(camera.view_angle_deg * pi / 360));
+    return glm::dvec2(width / 2.0 + at.x * pixels, height / 2.0 - at.y * pixels);
 }
 
 }  // namespace scanshade::viewer

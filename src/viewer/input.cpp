@@ -1,107 +1,96 @@
 #include "viewer/input.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <iterator>
-#include <string_view>
+#include <cmath>
 
 namespace scanshade::viewer {
 namespace {
 
-enum class Gesture { key, drag, wheel };
+constexpr double click_distance = 3;  // points that a hand may shake
 
-struct Binding {
-    Gesture gesture;
-    SDL_Keycode code;  // key, or mouse button of a drag
-    bool shift;        // drags: held when the button goes down; keys do not mind
-    Action action;
-    std::string_view input;   // for people; bindings of one action stand together
-    std::string_view effect;  // empty: as the line before
-};
-
-constexpr Binding bindings[] = {
-    {Gesture::drag, SDL_BUTTON_LEFT, false, Action::orbit, "left drag", "orbit"},
-    {Gesture::drag, SDL_BUTTON_LEFT, true, Action::pan, "Shift + left drag", "pan"},
-    {Gesture::drag, SDL_BUTTON_MIDDLE, false, Action::pan, "middle drag", ""},
-    {Gesture::drag, SDL_BUTTON_RIGHT, false, Action::pan, "right drag", ""},
-    {Gesture::wheel, 0, false, Action::zoom, "wheel", "zoom"},
-    {Gesture::key, SDLK_s, false, Action::next_shading, "S", "next shading"},
-    {Gesture::key, SDLK_b, false, Action::next_brdf, "B", "next brdf"},
-    {Gesture::key, SDLK_i, false, Action::next_interpolation, "I", "next interpolation"},
-    {Gesture::key, SDLK_RETURN, false, Action::reset_camera, "Enter", "reset the camera"},
-    {Gesture::key, SDLK_KP_ENTER, false, Action::reset_camera, "keypad Enter", ""},
-    {Gesture::key, SDLK_F12, false, Action::save_picture, "F12", "save the picture"},
-    {Gesture::key, SDLK_h, false, Action::toggle_help, "H", "show or hide this help"},
-    {Gesture::key, SDLK_q, false, Action::quit, "Q", "quit"},
-    {Gesture::key, SDLK_ESCAPE, false, Action::quit, "Escape", ""},
-};
-
-const Binding* find_binding(Gesture gesture, SDL_Keycode code, bool shift) {
-    const auto fits = [&](const Binding& b) {
-        return b.gesture == gesture && b.code == code && b.shift == shift;
-    };
-    const auto found = std::find_if(std::begin(bindings), std::end(bindings), fits);
-    return found == std::end(bindings) ? nullptr : found;
+std::uint8_t modifiers_of(int state) {
+    return static_cast<std::uint8_t>(((state & KMOD_SHIFT) != 0 ? with_shift : no_modifier) |
+                                     ((state & KMOD_CTRL) != 0 ? with_ctrl : no_modifier));
 }
 
-// Keys held with these are the desktop's, not ours.
-constexpr int other_modifiers = KMOD_CTRL | KMOD_ALT | KMOD_GUI;
-
-bool shift_is_down() { return (SDL_GetModState() & KMOD_SHIFT) != 0; }
-
-/// The drag that a button starts; a button without a meaning of its own for Shift ignores it.
-const Binding* find_drag(Uint8 button) {
-    const Binding* shifted = shift_is_down() ? find_binding(Gesture::drag, button, true) : nullptr;
-    return shifted != nullptr ? shifted : find_binding(Gesture::drag, button, false);
+/// The drag that a button starts; a button without a meaning of its own for modifiers ignores them.
+const Binding* find_drag(std::string_view button) {
+    const Binding* held = find_binding(Gesture::drag, button, modifiers_of(SDL_GetModState()));
+    return held != nullptr ? held : find_binding(Gesture::drag, button, no_modifier);
 }
+
+std::string number(std::uint8_t button) { return std::string(1, char('0' + button)); }
 
 }  // namespace
 
-std::string help_text() {
-    std::string text;
-    std::string inputs;
-    std::string_view effect;
-    const auto end_line = [&] {
-        if (!inputs.empty()) text += fmt::format("{}: {}\n", inputs, effect);
-    };
-    for (const Binding& b : bindings) {
-        if (b.effect.empty()) {
-            inputs += fmt::format(", {}", b.input);
-            continue;
-        }
-        end_line();
-        inputs = b.input;
-        effect = b.effect;
-    }
-    end_line();
-    return text;
+std::optional<Action> Input::dragging() const {
+    if (!drag_ || drag_->may_be_click) return std::nullopt;
+    return drag_->action;
 }
 
-std::optional<Request> Input::translate(const SDL_Event& event, double pixels_per_point) {
+std::optional<Request> Input::key(const SDL_KeyboardEvent& event) const {
+    // Keys held with these are the desktop's, not ours.
+    if (event.repeat != 0 || (event.keysym.mod & (KMOD_ALT | KMOD_GUI)) != 0) return {};
+    const auto modifiers =
+        static_cast<std::uint8_t>(modifiers_of(event.keysym.mod) & ~std::uint8_t{with_shift});
+    const Binding* b = find_binding(Gesture::key, SDL_GetKeyName(event.keysym.sym), modifiers);
+    if (b == nullptr) return {};
+    Request request{b->action};
+    request.number = b->number;
+    request.keep_camera = (modifiers & with_ctrl) != 0;
+    return request;
+}
+
+void Input::begin(const SDL_MouseButtonEvent& event) {
+    const Binding* b = drag_ ? nullptr : find_drag(number(event.button));
+    if (b == nullptr) return;
+    const bool may_click =
+        b->modifiers == no_modifier &&
+        find_binding(Gesture::click, number(event.button), no_modifier) != nullptr;
+    drag_ = Drag{event.button, b->action, may_click};
+}
+
+std::optional<Request> Input::end(const SDL_MouseButtonEvent& event, const Placement& placement) {
+    if (!drag_ || drag_->button != event.button) return {};
+    const bool click = drag_->may_be_click;
+    drag_.reset();
+    if (!click) return {};
+    Request request{Action::click};
+    request.at_x = (event.x - placement.left) * placement.pixels_per_point;
+    request.at_y = (event.y - placement.top) * placement.pixels_per_point;
+    return request;
+}
+
+std::optional<Request> Input::move(const SDL_MouseMotionEvent& event, const Placement& placement) {
+    mouse_x_ = event.x, mouse_y_ = event.y;
+    if (!drag_) return {};
+    drag_->x += event.xrel, drag_->y += event.yrel;
+    if (drag_->may_be_click && std::hypot(drag_->x, drag_->y) <= click_distance) return {};
+    drag_->may_be_click = false;
+    Request request{drag_->action, drag_->x * placement.pixels_per_point,
+                    drag_->y * placement.pixels_per_point};
+    drag_->x = drag_->y = 0;
+    return request;
+}
+
+std::optional<Request> Input::translate(const SDL_Event& event, const Placement& placement) {
     switch (event.type) {
         case SDL_QUIT:
             return Request{Action::quit};
         case SDL_KEYDOWN:
-            if (event.key.repeat != 0 || (event.key.keysym.mod & other_modifiers) != 0) return {};
-            if (const Binding* b = find_binding(Gesture::key, event.key.keysym.sym, false))
-                return Request{b->action};
-            return {};
+            return key(event.key);
         case SDL_MOUSEBUTTONDOWN:
-            if (const Binding* b = drag_ ? nullptr : find_drag(event.button.button))
-                drag_ = Drag{event.button.button, b->action};
+            begin(event.button);
             return {};
         case SDL_MOUSEBUTTONUP:
-            if (drag_ && drag_->button == event.button.button) drag_.reset();
-            return {};
+            return end(event.button, placement);
         case SDL_MOUSEMOTION:
-            if (!drag_) return {};
-            return Request{drag_->action, event.motion.xrel * pixels_per_point,
-                           event.motion.yrel * pixels_per_point};
-        case SDL_MOUSEWHEEL:
-            if (const Binding* b = find_binding(Gesture::wheel, 0, false))
-                return Request{b->action, 0, double(event.wheel.preciseY)};
-            return {};
+            return move(event.motion, placement);
+        case SDL_MOUSEWHEEL: {
+            Request request{Action::zoom, 0, double(event.wheel.preciseY)};
+            request.at_x = (mouse_x_ - placement.left) * placement.pixels_per_point;
+            request.at_y = (mouse_y_ - placement.top) * placement.pixels_per_point;
+            return request;
+        }
         default:
             return {};
     }

@@ -1,4 +1,4 @@
-// The window: shows a picture pixel by pixel.
+// The window: pixels on the screen.
 #pragma once
 
 #include <SDL.h>
@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "scanshade/image/image.hpp"
+#include "scanshade/image/framebuffer.hpp"
 
 namespace scanshade::viewer {
 
@@ -31,22 +31,28 @@ public:
 
     void set_title(const std::string& title);
 
-    void show(const Image& picture);
+    /// Clears the window and puts a picture on it, pixel by pixel, from column `left` on.
+    void put(const PixelBuffer& picture, int left);
+    /// Shows what was put and drawn.
+    void present();
+
+    void resize(int width, int height);  // points
+
+    SDL_Window* window() { return window_; }
+    SDL_Renderer* renderer() { return renderer_.get(); }
 
 private:
-    struct Quit {
-        ~Quit() { SDL_Quit(); }
-    };
     struct Destroy {
-        void operator()(SDL_Window* window) const { SDL_DestroyWindow(window); }
         void operator()(SDL_Renderer* renderer) const { SDL_DestroyRenderer(renderer); }
         void operator()(SDL_Texture* texture) const { SDL_DestroyTexture(texture); }
     };
 
-    void upload(const Image& picture);
+    void upload(const PixelBuffer& picture);
 
-    Quit quit_;  // first, so that it goes last
-    std::unique_ptr<SDL_Window, Destroy> window_;
+    // Goes away with the program. SDL wakes a waiting program by a message to its window on a
+    // connection of its own; one that still travels when the window is destroyed is an error that X
+    // ends the program for.
+    SDL_Window* window_;
     std::unique_ptr<SDL_Renderer, Destroy> renderer_;
     std::unique_ptr<SDL_Texture, Destroy> texture_;
     int width_ = 0, height_ = 0;

@@ -290,8 +290,13 @@ TEST_CASE("models are compared with what the scene asks for", "[report]") {
 TEST_CASE("scenes are made again in more polygons, each mesh once", "[report]") {
     Scene scene = matt_teapot().scene;
     scene.objects.push_back(scene.objects[0]);
-    scene.objects.push_back({make_shape_mesh(*find_shape("cube"), 2), glm::dmat4(1), {0}, {}});
-    scene.objects.push_back({lit_sphere().objects[0].mesh, glm::dmat4(1), {0}, {}});
+    const auto add = [&](std::shared_ptr<const Mesh> mesh) {
+        Object& object = scene.objects.emplace_back();
+        object.mesh = std::move(mesh);
+        object.materials = {0};
+    };
+    add(make_shape_mesh(*find_shape("cube"), 2));
+    add(lit_sphere().objects[0].mesh);
     const Scene finer = retessellated(scene, 2);
     CHECK(finer.objects[0].mesh->tessellation == 12);
     CHECK(finer.objects[0].mesh == finer.objects[1].mesh);

@@ -41,6 +41,17 @@ void check_same(const glm::dvec3& a, const glm::dvec3& b) {
     CHECK(glm::length(a - b) < 1e-9);
 }
 
+Camera zoomed_in_place(const Camera& camera, double steps, double radius) {
+    return zoomed(camera, steps, radius, 0, 0, height);
+}
+
+Camera some_camera() {
+    Camera camera;
+    camera.focal_point = {0.3, -0.2, 0.5};
+    camera.position = {2, 3, 4};
+    return camera;
+}
+
 }  // namespace
 
 TEST_CASE("orbit keeps the distance, the focal point and view up", "[viewer]") {
@@ -113,23 +124,73 @@ TEST_CASE("pan moves the focal point under the cursor", "[viewer]") {
 
 TEST_CASE("zoom multiplies the distance for each step", "[viewer]") {
     const Camera camera;
-    CHECK(distance(zoomed(camera, 1, 1)) == Approx(0.9 * 5));
-    CHECK(distance(zoomed(camera, -1, 1)) == Approx(5 / 0.9));
-    CHECK(distance(zoomed(camera, 2.5, 1)) == Approx(5 * std::pow(0.9, 2.5)));
-    check_same(zoomed(zoomed(camera, 3, 1), -3, 1).position, camera.position);
-    CHECK(zoomed(camera, 3, 1).focal_point == camera.focal_point);
+    CHECK(distance(zoomed_in_place(camera, 1, 1)) == Approx(0.9 * 5));
+    CHECK(distance(zoomed_in_place(camera, -1, 1)) == Approx(5 / 0.9));
+    CHECK(distance(zoomed_in_place(camera, 2.5, 1)) == Approx(5 * std::pow(0.9, 2.5)));
+    check_same(zoomed_in_place(zoomed_in_place(camera, 3, 1), -3, 1).position, camera.position);
+    CHECK(zoomed_in_place(camera, 3, 1).focal_point == camera.focal_point);
 }
 
 TEST_CASE("zoom stays within a thousandth and a thousand radii", "[viewer]") {
     const Camera camera;
     for (const double radius : {1e-2, 1.0, 1e2}) {
-        CHECK(distance(zoomed(camera, 1e6, radius)) == Approx(1e-3 * radius));
-        CHECK(distance(zoomed(camera, -1e6, radius)) == Approx(1e3 * radius));
+        CHECK(distance(zoomed_in_place(camera, 1e6, radius)) == Approx(1e-3 * radius));
+        CHECK(distance(zoomed_in_place(camera, -1e6, radius)) == Approx(1e3 * radius));
     }
 }
 
 TEST_CASE("a camera outside the limits of zoom may come back but not go on", "[viewer]") {
     const Camera camera;  // at a distance of 5
-    check_same(zoomed(camera, -1, 1e-4).position, camera.position);
-    CHECK(distance(zoomed(camera, 1, 1e-4)) == Approx(4.5));
+    check_same(zoomed_in_place(camera, -1, 1e-4).position, camera.position);
+    CHECK(distance(zoomed_in_place(camera, 1, 1e-4)) == Approx(4.5));
+}
+
+TEST_CASE("zooming keeps what is under the cursor there", "[viewer]") {
+    const Camera camera = some_camera();
+    constexpr int width = 400;
+    const glm::dmat3 eye = glm::transpose(eye_rotation(camera));
+    // A point at the focal point's depth, up and to the left of it.
+    const glm::dvec3 point = camera.focal_point - 0.6 * eye[0] + 0.4 * eye[1];
+    const glm::dvec2 before = *project(camera, width, height, point);
+    for (const double steps : {1.0, 7.0, -3.0}) {
+        const Camera moved =
+            zoomed(camera, steps, 1, before.x - width / 2.0, before.y - height / 2.0, height);
+        const glm::dvec2 after = *project(moved, width, height, point);
+        CHECK(after.x == Approx(before.x));
+        CHECK(after.y == Approx(before.y));
+    }
+}
+
+TEST_CASE("a projected point is where the renderer draws it", "[viewer]") {
+    Camera camera = some_camera();
+    const glm::dvec2 middle = *project(camera, 400, 300, camera.focal_point);
+    CHECK(middle.x == Approx(200));
+    CHECK(middle.y == Approx(150));
+    CHECK_FALSE(project(camera, 400, 300, camera.position + (camera.position - camera.focal_point))
+                    .has_value());
+    // Half of the view angle above the middle is the upper edge, in both projections.
+    const glm::dmat3 eye = glm::transpose(eye_rotation(camera));
+    const double half = distance(camera) * std::tan(glm::radians(camera.view_angle_deg) / 2);
+    for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
+        camera.projection = projection;
+        const glm::dvec2 top = *project(camera, 400, 300, camera.focal_point + eye[1] * half);
+        CHECK(top.x == Approx(200));
+        CHECK(top.y == Approx(0).margin(1e-9));
+    }
+}
+
+TEST_CASE("standard views look at the same point from the same distance", "[viewer]") {
+    const Camera camera = some_camera();
+    const double far = glm::length(camera.position - camera.focal_point);
+    const auto offset = [&](const Camera& c) { return (c.position - camera.focal_point) / far; };
+    for (const glm::dvec3 direction :
+         {glm::dvec3(0, 0, 1), glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, -3, 0)}) {
+        const Camera seen = seen_from(camera, direction);
+        CHECK(seen.focal_point == camera.focal_point);
+        CHECK(glm::length(offset(seen)) == Approx(1));
+        CHECK(glm::dot(offset(seen), glm::normalize(direction)) > 0.999);
+        CHECK_NOTHROW(eye_rotation(seen));
+    }
+    check_same(offset(opposite(camera)), -offset(camera));
+    check_same(opposite(opposite(camera)).position, camera.position);
 }

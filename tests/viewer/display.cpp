@@ -76,8 +76,8 @@ Child::~Child() {
     ::waitpid(id_, nullptr, 0);
 }
 
-int Child::wait() {
-    const auto deadline = std::chrono::steady_clock::now() + patience;
+int Child::wait(int seconds) {
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
     for (int status = 0; !ended_ && std::chrono::steady_clock::now() < deadline; pause()) {
         if (::waitpid(id_, &status, WNOHANG) != id_) continue;
         ended_ = true;
@@ -89,9 +89,9 @@ int Child::wait() {
 // The server chooses a free number itself and prints it (on standard output) once it is ready;
 // with -fbdir its memory is a file. Without -noreset it would start afresh whenever xdotool, its
 // only client so far, leaves, and take down a viewer that is just connecting.
-Display::Display()
-    : server_({"Xvfb", "-displayfd", "1", "-screen", "0", "800x600x24", "-fbdir", folder_.path,
-               "-nolisten", "tcp", "-nocursor", "-noreset"},
+Display::Display(const std::string& size)
+    : server_({"Xvfb", "-displayfd", "1", "-screen", "0", size, "-fbdir", folder_.path, "-nolisten",
+               "tcp", "-nocursor", "-noreset"},
               {}, {folder_.path / "number", folder_.path / "err", ""}) {
     const auto deadline = std::chrono::steady_clock::now() + patience;
     while (name_.find('\n') == std::string::npos) {

@@ -30,8 +30,8 @@ public:
     Child& operator=(const Child&) = delete;
 
     pid_t id() const { return id_; }
-    /// Exit status; 128 + signal where it was killed; -1 where it still runs after 10 seconds.
-    int wait();
+    /// Exit status; 128 + signal where it was killed; -1 where it still runs after so many seconds.
+    int wait(int seconds = 10);
 
 private:
     pid_t id_ = -1;
@@ -43,7 +43,7 @@ private:
 /// start.
 class Display {
 public:
-    Display();
+    explicit Display(const std::string& size = "800x600x24");
 
     /// "DISPLAY=:N", with what else a program needs to use this display and no other.
     std::vector<std::string> environment() const;

@@ -1,14 +1,18 @@
 // What the viewer's actions change.
 #include "viewer/view_state.hpp"
 
+#include <algorithm>
+#include <fstream>
 #include <glm/glm.hpp>
+#include <iterator>
 #include <string>
 #include <vector>
 
+#include "scanshade/base/error.hpp"
 #include "scanshade/brdf/brdf.hpp"
 #include "scanshade/image/image.hpp"
 #include "support/catch.hpp"
-#include "support/temp_folder.hpp"
+#include "viewer/picture.hpp"
 
 using namespace scanshade;
 using namespace scanshade::viewer;
@@ -128,13 +132,18 @@ TEST_CASE("only what changes the picture asks for a new one", "[viewer]") {
     ViewState state = state_of(ball);
     CHECK(state.take_change());
     CHECK_FALSE(state.take_change());
-    for (const Action action : {Action::save_picture, Action::toggle_help, Action::quit}) {
+    for (const Action action : {Action::click, Action::next_file, Action::previous_file,
+                                Action::reload, Action::save_picture, Action::save_scene,
+                                Action::toggle_help, Action::toggle_panel, Action::quit}) {
         CHECK_FALSE(state.apply({action}));
         CHECK_FALSE(state.take_change());
     }
     for (const Action action :
          {Action::orbit, Action::pan, Action::zoom, Action::next_shading, Action::next_brdf,
-          Action::next_interpolation, Action::reset_camera}) {
+          Action::next_interpolation, Action::next_light, Action::move_light,
+          Action::toggle_wireframe, Action::toggle_split, Action::other_side, Action::view_front,
+          Action::view_right, Action::view_top, Action::view_opposite, Action::toggle_projection,
+          Action::reset_camera}) {
         CHECK(state.apply({action, 1, 1}));
         CHECK(state.take_change());
     }
@@ -151,13 +160,148 @@ TEST_CASE("the picture's size stays within what a picture may have", "[viewer]")
     CHECK(state.settings().height == max_image_side);
 }
 
-TEST_CASE("saved pictures take the first free number", "[viewer]") {
-    const TempFolder folder;
-    CHECK(next_picture_path(folder.path, "ball") == folder.path / "ball_1.png");
-    folder.write("ball_1.png", "");
-    folder.write("ball_3.png", "");
-    CHECK(next_picture_path(folder.path, "ball") == folder.path / "ball_2.png");
-    folder.write("ball_2.png", "");
-    CHECK(next_picture_path(folder.path, "ball") == folder.path / "ball_4.png");
-    CHECK(next_picture_path(folder.path, "cube") == folder.path / "cube_1.png");
+TEST_CASE("a split screen draws each side by its own method", "[viewer]") {
+    ViewState state = state_of(std::string(ball) + "[[light]]\ntype = \"directional\"\n");
+    CHECK(state.side_at(0) == 0);
+    state.apply({Action::toggle_split});
+    state.apply({Action::other_side});
+    state.apply({Action::next_shading});
+    state.set_option(*find_option("exposure"), "1");
+    state.set_option(*find_option("interpolation"), "edges");
+    CHECK(state.side(0).settings.shading == Shading::phong);
+    CHECK(state.side(1).settings.shading == Shading::flat);
+    CHECK(state.side(0).settings.interpolation == Interpolation::perspective);
+    CHECK(state.side(1).settings.interpolation == Interpolation::edges);
+    // What is no method is both sides'.
+    CHECK(state.side(0).settings.exposure_ev == 1);
+    CHECK(state.side(1).settings.exposure_ev == 1);
+    state.set_divider(0.25);
+    CHECK(state.side_at(0.2 * state.settings().width) == 0);
+    CHECK(state.side_at(0.3 * state.settings().width) == 1);
+
+    state.resize(80, 60);
+    Picture picture;
+    picture.draw(state, false);
+    const Image shown = to_image(picture.pixels());
+    const Image a = render_image(state.scene(), state.side(0).settings);
+    const Image b = render_image(state.scene(), state.side(1).settings);
+    CHECK(a.rgb != b.rgb);
+    for (int y = 0; y < 60; ++y)
+        for (int x = 0; x < 80; ++x) {
+            const std::uint8_t* expected = x < 20 ? a.pixel(x, y) : b.pixel(x, y);
+            CHECK(std::equal(expected, expected + 3, shown.pixel(x, y)));
+        }
+}
+
+TEST_CASE("one sample a pixel while something moves", "[viewer]") {
+    Settings settings;
+    settings.samples = 4;
+    settings.width = 60, settings.height = 40;
+    ViewState state = state_of(std::string(ball) + "[[light]]\ntype = \"directional\"\n", settings);
+    Picture picture;
+    picture.draw(state, true);
+    CHECK_FALSE(picture.final());
+    Settings one = settings;
+    one.samples = 1;
+    CHECK(to_image(picture.pixels()).rgb == render_image(state.scene(), one).rgb);
+    picture.draw(state, false);
+    CHECK(picture.final());
+    CHECK(to_image(picture.pixels()).rgb == render_image(state.scene(), settings).rgb);
+}
+
+TEST_CASE("a debug view's key shows it, and the picture again", "[viewer]") {
+    ViewState state = state_of(ball);
+    Request depth{Action::debug_view};
+    depth.number = int(DebugView::depth);
+    CHECK(state.apply(depth));
+    CHECK(state.active().view == DebugView::depth);
+    CHECK(state.current(Action::debug_view, depth.number) == "on");
+    state.apply(depth);
+    CHECK(state.active().view == DebugView::none);
+}
+
+TEST_CASE("an option that is refused changes nothing", "[viewer]") {
+    ViewState state = state_of(ball);
+    state.take_change();
+    CHECK_THROWS_AS(state.set_option(*find_option("exposure"), "101"), Error);
+    CHECK_THROWS_AS(state.set_parameter(0, "kd", {2}), Error);
+    CHECK_THROWS_AS(state.set_parameter(0, "unknown", {1}), Error);
+    CHECK_THROWS_AS(state.set_model(0, "unknown"), Error);
+    CHECK(state.settings().exposure_ev == 0);
+    CHECK(state.scene().materials[0].parameters.empty());
+    CHECK_FALSE(state.take_change());
+}
+
+TEST_CASE("a parameter of the model that is drawn makes that model the material's", "[viewer]") {
+    ViewState state = state_of(ball);
+    state.set_parameter(0, "kd", {0.1, 0.2, 0.3});
+    CHECK(state.scene().materials[0].brdf == "blinn-phong");
+    state.set_option(*find_option("brdf"), "torrance-sparrow");
+    state.set_option(*find_option("set"), "m=0.9");
+    const ResolvedMaterial before =
+        resolve_material(state.scene().materials[0], "torrance-sparrow", {});
+    state.set_parameter(0, "m", {0.5});
+    const Material& material = state.scene().materials[0];
+    CHECK(material.brdf == "torrance-sparrow");
+    CHECK(material.find("m")->values == std::vector<double>{0.5});
+    CHECK(state.settings().set.empty());
+    const ResolvedMaterial after = resolve_material(material, "", {});
+    for (int c = 0; c < 3; ++c) CHECK(after.params.value[0][c] == before.params.value[0][c]);
+    state.set_parameter(0, "distribution", {}, "beckmann");
+    CHECK(state.scene().materials[0].find("distribution")->word == "beckmann");
+}
+
+TEST_CASE("lights are selected, changed, added, moved and removed", "[viewer]") {
+    ViewState state = state_of(std::string(ball) +
+                               "[[light]]\ntype = \"point\"\nposition = [0, 0, 4]\n"
+                               "[[light]]\ntype = \"directional\"\n");
+    CHECK(state.selected_light() == 0u);
+    state.apply({Action::move_light, 10, 0});
+    const glm::dvec3 moved = state.scene().lights[0].position;
+    CHECK(moved.x > 0);
+    CHECK(glm::length(moved) == Approx(4));
+    state.apply({Action::next_light});
+    const glm::dvec3 down = state.scene().lights[1].direction;
+    state.apply({Action::move_light, 0, 10});
+    CHECK(state.scene().lights[1].direction != down);
+    state.add_light();
+    CHECK(state.scene().lights.size() == 3);
+    CHECK(state.selected_light() == 2u);
+    Light bad = state.scene().lights[2];
+    bad.attenuation = glm::dvec3(0);
+    CHECK_THROWS_AS(state.set_light(2, bad), Error);
+    for (int i = 0; i < 3; ++i) state.remove_light(0);
+    CHECK_FALSE(state.selected_light().has_value());
+    CHECK(state.apply({Action::move_light, 1, 1}));
+}
+
+TEST_CASE("another file keeps what was chosen, and the camera where asked", "[viewer]") {
+    ViewState state = state_of(ball);
+    state.apply({Action::next_shading});
+    state.apply({Action::orbit, 20, 30});
+    state.set_option(*find_option("exposure"), "0.5");
+    const glm::dvec3 position = state.scene().camera->position;
+    for (const bool keep : {true, false}) {
+        Settings settings = state.settings_for_loading({});
+        Scene next = parse_scene("[[object]]\nshape = \"torus\"\n", "torus.toml", settings);
+        CHECK(settings.exposure_ev == 0.5);
+        state.replace(std::move(next), settings, keep);
+        CHECK(state.settings().shading == Shading::flat);
+        CHECK(state.scene().camera.has_value() == keep);
+        if (keep) CHECK(state.scene().camera->position == position);
+    }
+}
+
+TEST_CASE("every key is listed in the help and in README.md, once", "[viewer]") {
+    std::ifstream file("README.md");
+    const std::string readme{std::istreambuf_iterator<char>(file), {}};
+    for (const HelpRow& row : help_rows()) {
+        const std::string line = "| " + row.inputs + " | " + row.effect + " |\n";
+        CAPTURE(line);
+        CHECK(readme.find(line) != std::string::npos);
+        CHECK(help_text().find(row.inputs + ": " + row.effect + "\n") != std::string::npos);
+    }
+    for (const Binding& b : all_bindings())
+        CHECK(find_binding(b.gesture, b.code, b.modifiers) == &b);
+    CHECK(find_binding(Gesture::key, "F9", no_modifier) == nullptr);
 }

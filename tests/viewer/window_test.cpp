@@ -15,14 +15,11 @@
 #include "scanshade/scene/scene.hpp"
 #include "support/catch.hpp"
 #include "viewer/camera_control.hpp"
-#include "viewer/display.hpp"
+#include "viewer/session.hpp"
 
 using namespace scanshade;
 
 namespace {
-
-const std::string viewer_program =
-    std::filesystem::path(SCANSHADE_BINARY).parent_path() / "scanshade-view";
 
 // Quads seen from nearby, so that every choice of shading and interpolation shows.
 constexpr const char* ball = R"(
@@ -37,83 +34,6 @@ position = [1.5, 2, 2]
 shape = "sphere"
 tessellation = 3
 )";
-
-template <class Condition>
-bool eventually(Condition condition) {
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(15);
-    while (!condition()) {
-        if (std::chrono::steady_clock::now() > deadline) return false;
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    return true;
-}
-
-/// The viewer on a display of its own, started in a folder of its own through `scanshade view`.
-class Session {
-public:
-    Session(const std::string& scene, const std::vector<std::string>& options)
-        : input_(folder_.write("ball.toml", scene)),
-          viewer_(command(options), display_.environment(),
-                  {"", folder_.path / "err", folder_.path}) {
-        REQUIRE(eventually([&] {
-            window_ = display_.xdotool("search --onlyvisible --class scanshade-view");
-            return !window_.empty();
-        }));
-        window_.erase(window_.find('\n'));
-        // Nobody manages windows here, so nobody else gives the focus.
-        xdotool("windowfocus --sync " + window_);
-    }
-
-    const std::filesystem::path& folder() const { return folder_.path; }
-    const std::string& window() const { return window_; }
-    const std::string& input() const { return input_; }
-    pid_t id() const { return viewer_.id(); }
-    int wait() { return viewer_.wait(); }
-    std::string messages() const { return read_file(folder_.path / "err"); }
-    std::string xdotool(const std::string& words) const { return display_.xdotool(words); }
-    std::string title() const { return xdotool("getwindowname " + window_); }
-
-    /// What the window shows; nothing where a busy machine did not answer in time.
-    Image picture() const {
-        const std::string geometry = xdotool("getwindowgeometry --shell " + window_);
-        if (geometry.find("\nHEIGHT=") == std::string::npos) return {};
-        const auto value = [&](const std::string& name) {
-            return std::stoi(geometry.substr(geometry.find("\n" + name + "=") + name.size() + 2));
-        };
-        return display_.screen(value("X"), value("Y"), value("WIDTH"), value("HEIGHT"));
-    }
-
-    bool shows(const Image& expected) const {
-        return eventually([&] {
-            const Image now = picture();
-            return now.width == expected.width && now.rgb == expected.rgb;
-        });
-    }
-
-private:
-    std::vector<std::string> command(const std::vector<std::string>& options) const {
-        std::vector<std::string> all{SCANSHADE_BINARY, "view", input_};
-        all.insert(all.end(), options.begin(), options.end());
-        return all;
-    }
-
-    TempFolder folder_;
-    std::string input_;
-    Display display_;
-    Child viewer_;
-    std::string window_;
-};
-
-/// What `scanshade render` draws.
-Image rendered(const std::string& input, std::vector<std::string> options) {
-    const TempFolder folder;
-    const std::string out = folder.path / "out.png";
-    options.insert(options.begin(), {"render", input, "-o", out});
-    const Finished run = run_scanshade(options);
-    CAPTURE(run.err);
-    REQUIRE(run.status == 0);
-    return load_image(out);
-}
 
 std::vector<std::string> camera_options(const Camera& camera) {
     const auto words = [](const glm::dvec3& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); };
@@ -130,16 +50,6 @@ long ticks(pid_t id) {
     long user = 0, system = 0;
     fields >> user >> system;
     return user + system;
-}
-
-/// Whether what the tests of the window need is there; says so where not.
-bool can_open_windows() {
-    for (const char* program : {"Xvfb", "xdotool"})
-        if (!is_installed(program)) {
-            WARN("not tested: " << program << " is not installed");
-            return false;
-        }
-    return true;
 }
 
 std::string started_without_display(const std::vector<std::string>& args, int expected_status) {
@@ -232,10 +142,14 @@ TEST_CASE("the mouse moves the camera, Enter brings it back", "[viewer]") {
     }
     drag("1", "shift");
     check_and_reset(viewer::panned(home, 30, -8, 150));
+    // The mouse is at (120, 62), 20 to the right of the middle and 13 above it.
+    const auto zoomed = [&](const Camera& camera, double steps) {
+        return viewer::zoomed(camera, steps, scene.bounds().radius, 20, -13, 150);
+    };
     session.xdotool("click 4");
-    check_and_reset(viewer::zoomed(home, 1, scene.bounds().radius));
+    check_and_reset(zoomed(home, 1));
     session.xdotool("click --repeat 2 5");
-    check_and_reset(viewer::zoomed(home, -2, scene.bounds().radius));
+    check_and_reset(zoomed(zoomed(home, -1), -1));
 
     session.xdotool("key Escape");
     CHECK(session.wait() == 0);

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "scanshade/brdf/light_report.hpp"
 #include "scanshade/kernels/span.hpp"
 #include "scanshade/num/plain.hpp"
 #include "scanshade/scene/material.hpp"
@@ -49,19 +50,6 @@ struct Promises {
                                                        // type, cosines taken as exact
 };
 
-/// Directions at a surface point, unit length, by their cosines. Where ω_i = −ω_o there is no half
-/// vector, and h counts as grazing: n_h = i_h = 0, sin2_h = 1.
-template <class R>
-struct Cosines {
-    R n_i;  // cosθ_i = n·ω_i, > 0
-    R n_o;  // cosθ_o = n·ω_o, ≥ 1e-12
-    R n_h;  // cosθ_h = n·h, [0, 1]
-    R r_o;  // cosθ_r = ω_r·ω_o, [0, 1]: 0 where the mirror direction points away from the viewer
-    R i_h;     // ω_i·h = ω_o·h, [0, 1]
-    R sin2_h;  // sin²θ_h = |n × h|², [0, 1]
-    R s_io;    // sinθ_i sinθ_o cos(φ_i − φ_o) = (n × ω_i)·(n × ω_o), [−1, 1]
-};
-
 /// The same cosines in another type of number.
 template <class To, class From>
 Cosines<To> cosines_as(const Cosines<From>& c) {
@@ -77,6 +65,10 @@ using FCosFn = std::array<T, 3> (*)(const Cosines<T>&, const MaterialParams<Para
 template <class T>
 using IlluminateFn = SpanEvents (*)(const SurfaceSpan<T>&, const Lighting<T>&,
                                     const MaterialParams<T>&);
+/// The same for a span of one point, and what it computed on the way.
+template <class T>
+using ReportFn = void (*)(const SurfaceSpan<T>&, const Lighting<T>&, const MaterialParams<T>&,
+                          PointReport<T>&);
 
 struct BrdfInfo {
     std::string_view name;      // "blinn-phong"
@@ -104,6 +96,9 @@ struct BrdfInfo {
     IlluminateFn<float> illuminate_f32;  // one sample at a time: the plain twin
     IlluminateFn<double> illuminate_f64;
     IlluminateFn<float> illuminate_simd;  // whole vectors, dispatched at run time
+
+    ReportFn<float> report_f32;  // the text of illuminate_f32 with a witness
+    ReportFn<double> report_f64;
 };
 
 /// Every model that has a file, by name.

@@ -1,6 +1,7 @@
 // Materials: a reflection model by name, with what a file says of its parameters.
 #pragma once
 
+#include <filesystem>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
@@ -27,6 +28,7 @@ struct Material {
     std::string brdf = "blinn-phong";       // or "unlit"
     std::vector<ParamSetting> parameters;   // what is not set has the model's default
     std::shared_ptr<const Texture> map_kd;  // multiplies the diffuse parameter and ka; may be null
+    std::filesystem::path map_file;         // where map_kd was read
     std::string place;                      // where it was defined, for messages
 
     const ParamSetting* find(std::string_view parameter) const {

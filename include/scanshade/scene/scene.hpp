@@ -25,6 +25,9 @@ struct Object {
     std::vector<std::uint32_t> materials;  // mesh material number → index into Scene::materials
     std::optional<Shading> shading;        // instead of the settings', unless that was given as
                                            // an option
+    std::filesystem::path mesh_file;       // where the mesh was read, or
+    std::string shape;                     // the shape that it is; neither: made by a program
+    int tessellation = 0;                  // of the shape
 };
 
 struct Scene {
@@ -52,6 +55,12 @@ Scene load_scene(const std::filesystem::path& input, Settings& settings);
 /// in the text are relative to its folder.
 Scene parse_scene(std::string_view toml, const std::filesystem::path& file, Settings& settings);
 
+/// A scene file's text that shows the same picture, with what `settings` chooses in [render]; paths
+/// are relative to `folder` where they can be. Throws Error(scene) for an object that is neither
+/// from a file nor a shape.
+std::string scene_text(const Scene& scene, const Settings& settings,
+                       const std::filesystem::path& folder);
+
 /// A scene with one object and one material, framed and lit by default: what tests, sheets and
 /// the default view of an .obj use.
 Scene single_object_scene(std::shared_ptr<const Mesh> mesh, Material material);
@@ -59,8 +68,16 @@ Scene single_object_scene(std::shared_ptr<const Mesh> mesh, Material material);
 /// Key, fill and rim light around the bounds, as seen from the camera.
 std::vector<Light> three_point_lights(const Bounds& bounds, const Camera& camera);
 
-/// The scene scaled by a power of two to a radius in [1, 2), and moved: the eye is the origin, or the
-/// bounds' centre is, where that is more than 1.25 radii from the eye. The picture is the same.
+/// How a scene is moved and scaled to be drawn: p → (p − origin)/unit.
+struct Normalisation {
+    glm::dvec3 origin;
+    double unit;  // world units in one of ours, a power of two
+};
+/// The eye is the origin, or the bounds' centre is, where that is more than 1.25 radii from the eye.
+Normalisation normalisation(const Scene& scene);
+
+/// The scene moved and scaled by its normalisation, to a radius in [1, 2); camera, lights,
+/// attenuation, near and far follow. The picture is the same.
 Scene normalised(const Scene& scene);
 
 }  // namespace scanshade

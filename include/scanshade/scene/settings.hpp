@@ -66,6 +66,15 @@ struct Settings {
     bool is_given(std::string_view name) const { return given.find(name) != given.end(); }
 };
 
+/// How an option is set by hand in a window.
+struct OptionControl {
+    enum Kind { none, choice, number, whole, colour, flag } kind = none;
+    double low = 0, high = 0;  // of a slider; files and the command line may go further
+    std::string_view unit{};
+    std::string_view choices{};  // "a|b|c"
+    bool while_loading = false;  // acts on meshes as they are read
+};
+
 /// One shared option.
 struct OptionInfo {
     std::string_view name;     // without the dashes
@@ -75,6 +84,9 @@ struct OptionInfo {
     bool is_flag = false;  // takes no value; in a scene file: true
     /// Parses and stores a value; throws Error(usage) that says what would be right.
     void (*apply)(Settings& settings, std::string_view value);
+    /// What apply would take for the value that is there; null for what has no single one.
+    std::string (*show)(const Settings& settings) = nullptr;
+    OptionControl control{};
 };
 
 /// Every option that all rendering commands share. A scene file's [render] table knows the same
