@@ -48,9 +48,7 @@ public:
     }
 
 private:
-    SnappedPoint point() const {
-        return sample_point(into_.x, into_.y, frame_.sample);
-    }
+    SnappedPoint point() const { return sample_point(into_.x, into_.y, frame_.sample); }
 
     InspectedSample describe() {
         InspectedSample out{};
