@@ -58,7 +58,7 @@ Finished run_scanshade(const std::vector<std::string>& args, const std::string& 
     return finished;
 }
 
-Finished run_scanshade_on_terminal(const std::vector<std::string>& args) {
+Finished run_scanshade_on_terminal(const std::vector<std::string>& args, const std::string& until) {
     const TempFolder folder;
     const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
     if (terminal < 0 || ::grantpt(terminal) != 0 || ::unlockpt(terminal) != 0)
@@ -69,10 +69,15 @@ Finished run_scanshade_on_terminal(const std::vector<std::string>& args) {
     ::close(out);
     ::close(err);
     Finished finished;
+    bool interrupted = false;
     char buffer[4096];
     // Reading fails once the child, the last to hold the other end, is gone.
-    for (ssize_t n; (n = ::read(terminal, buffer, sizeof buffer)) > 0;)
+    for (ssize_t n; (n = ::read(terminal, buffer, sizeof buffer)) > 0;) {
         finished.err.append(buffer, std::size_t(n));
+        if (interrupted || finished.err.find(until) == std::string::npos) continue;
+        ::kill(child, SIGINT);
+        interrupted = true;
+    }
     finished.status = wait_for(child);
     ::close(terminal);
     return finished;
@@ -92,7 +97,8 @@ Finished run_scanshade_unread(const std::vector<std::string>& args) {
     return finished;
 }
 
-Finished run_scanshade_interrupted(const std::vector<std::string>& args, const std::string& file) {
+Finished run_scanshade_interrupted(const std::vector<std::string>& args, const std::string& file,
+                                   std::chrono::milliseconds after) {
     const TempFolder folder;
     const int out = open_for_child(folder.path / "out"), err = open_for_child(folder.path / "err");
     const pid_t child = start(SCANSHADE_BINARY, args, out, err);
@@ -101,7 +107,7 @@ Finished run_scanshade_interrupted(const std::vector<std::string>& args, const s
     constexpr std::chrono::milliseconds step{10};
     for (int i = 0; i < 3000 && !std::filesystem::exists(file); ++i)
         std::this_thread::sleep_for(step);
-    std::this_thread::sleep_for(50 * step);
+    std::this_thread::sleep_for(after);
     ::kill(child, SIGINT);
     Finished finished;
     finished.status = wait_for(child);

@@ -1,6 +1,7 @@
 // Runs the program that was built beside the tests.
 #pragma once
 
+#include <chrono>
 #include <string>
 #include <vector>
 
@@ -19,14 +20,16 @@ struct Finished {
 Finished run_scanshade(const std::vector<std::string>& args, const std::string& stdout_to = {},
                        const std::string& program = SCANSHADE_BINARY);
 
-/// The same with standard error on a terminal; `out` is empty.
-Finished run_scanshade_on_terminal(const std::vector<std::string>& args);
+/// The same with standard error on a terminal, sent SIGINT once `until` is on it; `out` is empty.
+Finished run_scanshade_on_terminal(const std::vector<std::string>& args, const std::string& until);
 
 /// The same with nobody left to read standard output; `out` is empty.
 Finished run_scanshade_unread(const std::vector<std::string>& args);
 
-/// The same, sent SIGINT half a second after `file` has appeared.
-Finished run_scanshade_interrupted(const std::vector<std::string>& args, const std::string& file);
+/// The same, sent SIGINT some time after `file` has appeared.
+Finished run_scanshade_interrupted(
+    const std::vector<std::string>& args, const std::string& file,
+    std::chrono::milliseconds after = std::chrono::milliseconds(500));
 
 /// The whole file, as it is.
 std::string read_file(const std::string& path);
