@@ -26,9 +26,10 @@ inline constexpr int tile_samples = tile_side * tile_side;
 inline constexpr int tile_blocks = tile_samples / block_samples;
 
 /// A ref names what is seen at a sample: batch · lanes + lane of a triangle, or with one of these bits
-/// a Record, or batch · lanes + lane of a fragment.
+/// a Record, or batch · lanes + lane of a fragment or of a quadrilateral.
 inline constexpr std::uint32_t record_bit = 0x80000000u;
 inline constexpr std::uint32_t fragment_bit = 0x40000000u;
+inline constexpr std::uint32_t quad_bit = 0x20000000u;
 inline constexpr std::uint32_t no_ref = 0xffffffffu;
 
 /// Index of a tile's sample: blocks row by row, samples of a block row by row.
@@ -37,33 +38,43 @@ constexpr int tile_index(int x, int y) {
            (y % block_side) * block_side + x % block_side;
 }
 
-/// Rows of a batch: `lanes` triangles side by side, each row one number of all of them. Edge
-/// functions and planes count pixels from the triangle's origin, and are exact in float: whole
+/// Rows of a batch: `lanes` faces side by side, each row one number of all of them. Edge functions
+/// and planes count pixels from the face's origin. Those of faces in batches are exact in float: whole
 /// numbers below 2^24.
 enum BatchRow : int {
-    row_edge_x,                    // 3: step of ⌊E/256⌋ a pixel to the right
-    row_edge_y = row_edge_x + 3,   // 3: a pixel down
-    row_edge_c = row_edge_y + 3,   // 3: at the origin; the sample is inside where all are ≥ 0
-    row_depth = row_edge_c + 3,    // 3: plane c, x, y
-    row_origin_x = row_depth + 3,  // float, a multiple of 4
-    row_origin_y,                  // float
-    row_extent,                    // uint32: last block of the box, columns | rows << 16
-    row_id,                        // uint32: the triangle in the whole scene
-    row_corners,     // uint32: as in ClusteredMesh, and back_bit where seen from behind
-    row_attributes,  // planes of three rows each, as Attributes says
+    row_origin_x,  // float, a multiple of 4
+    row_origin_y,  // float
+    row_extent,    // uint32: last block of the box, columns | rows << 16
+    row_id,        // uint32: the (first) triangle in the whole scene
+    row_corners,   // uint32: as in ClusteredMesh, and back_bit where seen from behind
+    row_edges,     // step of ⌊E/256⌋ a pixel to the right for each edge, then a pixel down for each,
+                   // then the value at the origin; the sample is inside where all are ≥ 0
+
+    // of triangles
+    row_depth = row_edges + 3 * 3,  // 3: plane c, x, y
+    row_attributes = row_depth + 3,
+
+    // of quadrilaterals, see ScreenQuad
+    row_quad_x = row_edges + 3 * 4,             // 4
+    row_quad_y = row_quad_x + 4,                // 4
+    row_quad_per_height = row_quad_y + 4,       // 4
+    row_quad_depth = row_quad_per_height + 4,   // 4
+    row_quad_attributes = row_quad_depth + 4,
 };
 inline constexpr std::uint32_t back_bit = number_bit >> 1;
 
-/// Which planes follow in a batch; an offset is −1 where nothing reads the attribute.
+/// Which values follow in a batch; an offset is −1 where nothing reads the attribute. Each value
+/// takes `stride` rows: a triangle's are planes c, x, y, a quadrilateral's stand at its corners.
 struct Attributes {
-    int main = -1;      // 3 planes: normal · z (Phong); radiance · z (Gouraud); radiance (flat)
-    int dark = -1;      // 3 planes: radiance without diffuse reflection, for textures
-    int texcoord = -1;  // 2 planes: u z, v z
-    int position = -1;  // 3 planes: position · z
-    int rows = row_attributes;  // of a batch
+    int stride, rows;   // rows: of a batch
+    int main = -1;      // 3: normal · z (Phong); radiance · z (Gouraud); radiance (flat)
+    int dark = -1;      // 3: radiance without diffuse reflection, for textures
+    int texcoord = -1;  // 2: u z, v z
+    int position = -1;  // 3: position · z
 };
 
-inline constexpr int most_rows = row_attributes + 3 * (3 + 3 + 2 + 3);
+inline constexpr int most_values = 3 + 3 + 2 + 3;
+inline constexpr int most_rows = row_quad_attributes + 4 * most_values;
 
 /// Rows of a batch of fragments: `lanes` samples of triangles too small to be worth planes.
 enum FragmentRow : int {
@@ -82,6 +93,11 @@ struct BatchInfo {
     std::uint32_t object, cluster, material;
     std::uint16_t count;    // triangles, the rest of the lanes is unused
     bool normals_disagree;  // interpolated normals may vanish
+};
+
+/// Neighbouring batches, `last` not included.
+struct BatchRange {
+    std::uint32_t next = 0, last = 0;
 };
 
 /// All batches of a frame. Workers take runs of them, so memory that no triangle needs is never
@@ -119,6 +135,10 @@ public:
         const float* from = batch(b);
         for (std::size_t i = 0; i < rows_ * lanes_; i += 16) __builtin_prefetch(from + i, 1);
     }
+    /// These batches hold nothing.
+    void leave_empty(const BatchRange& range) {
+        for (std::uint32_t b = range.next; b < range.last; ++b) info_[b].count = 0;
+    }
     std::uint32_t lanes() const { return std::uint32_t(lanes_); }
     std::size_t capacity() const { return capacity_; }
     std::size_t used() const { return next_.load(std::memory_order_relaxed); }
@@ -135,9 +155,7 @@ private:
 inline constexpr std::uint32_t batches_in_run = 16;
 
 /// A worker's batches that nothing is in yet.
-struct BatchRun {
-    std::uint32_t next = 0, last = 0;
-
+struct BatchRun : BatchRange {
     std::uint32_t fresh(BatchStore& store) {
         if (next == last) {
             next = store.take(batches_in_run);
@@ -188,20 +206,21 @@ private:
     std::vector<Chunk> chunks_;
 };
 
-/// A triangle that set-up leaves to the driver.
-struct SpecialTriangle {
-    std::uint32_t object, triangle;  // the mesh's number
+/// A face that set-up leaves to the driver.
+struct SpecialFace {
+    std::uint32_t object, triangle;  // the mesh's number; of a quadrilateral the first
 };
 
 /// A triangle or polygon that set-up left to the driver: too large for small numbers, a needle,
 /// clipped, or drawn whole. Pixels count from the picture's corner.
 struct Record {
     enum class Coverage : std::uint8_t {
-        edges,  // an unclipped triangle: three exact edge functions
+        edges,  // an unclipped triangle or quadrilateral: exact edge functions
         rows,   // any polygon: the scanline walker says which samples of a tile
     } coverage;
     enum class Depth : std::uint8_t {
         plane,    // c + (x X + y Y) from the origin
+        spans,    // of a ScreenQuad
         weights,  // Σ λ_i z_i, λ_i from exact edge functions
         clipped,  // from homogeneous edge functions
         scalar,   // by the scalar renderers' own function
@@ -212,17 +231,18 @@ struct Record {
     std::uint32_t id, object, material, triangle;
     int x0, y0, x1, y1;                            // samples that it may cover, both ends included
     int origin_x, origin_y;                        // of the planes
-    std::int64_t edge_x[3], edge_y[3], edge_c[3];  // ⌊(E − bias)/256⌋ at the origin, steps a pixel
+    int edge_count;                                // 3 or 4
+    std::int64_t edge_x[4], edge_y[4], edge_c[4];  // ⌊(E − bias)/256⌋ at the origin, steps a pixel
     float weight_plane[3][3];  // plane: c, x, y of each corner's weight, times z in perspective
-    float rows[most_rows];     // plane: what a batch has of one triangle, without edges
+    float rows[most_rows];     // plane, spans: what a batch has of one face, without edges
     float nearest, farthest;   // bounds of the depth
     double weight_x[3], weight_y[3], weight_c[3];  // at pixel (0, 0), steps a pixel
     double inv_area;                               // weights: λ = float(weight · inv_area)
     double sum_to_inv_w;                           // clipped: 1/w = Σ weight · this
-    std::uint8_t order[3];                         // weights: of the sum
+    std::uint8_t order[4];  // weights: of the sum; spans: the face's corners, clockwise
     float corner_depth[3];
     float corner_w[3];  // clipped: distance along the view
-    float main[3][3], dark[3][3], texcoord[3][2], position[3][3];  // [corner]
+    float main[4][3], dark[4][3], texcoord[3][2], position[3][3];  // [corner]
     std::uint32_t first_point, point_count;  // rows: corners in RecordStore::points
 };
 
@@ -242,7 +262,7 @@ struct TileBuffer {
 
 /// What drawing into a tile reads.
 struct RasterView {
-    const BatchStore *batches, *fragments;
+    const BatchStore *batches, *fragments, *quads;
     const Record* records;
     int sample_x, sample_y, width, height;
     int tile;  // side of a tile in samples: 16, 32 or tile_side; a buffer's rows keep their length
@@ -259,9 +279,10 @@ struct RasterView {
 /// The triangle's number in the scene.
 inline std::uint32_t ref_id(const RasterView& view, std::uint32_t ref) {
     if ((ref & record_bit) != 0) return view.records[ref & ~record_bit].id;
-    const std::uint32_t lanes = view.batches->lanes(), at = ref & ~fragment_bit;
-    const bool fragment = (ref & fragment_bit) != 0;
-    const float* batch = (fragment ? view.fragments : view.batches)->batch(at / lanes);
+    const std::uint32_t lanes = view.batches->lanes(), at = ref & ~(fragment_bit | quad_bit);
+    const bool fragment = (ref & fragment_bit) != 0, quad = (ref & quad_bit) != 0;
+    const BatchStore& store = *(fragment ? view.fragments : quad ? view.quads : view.batches);
+    const float* batch = store.batch(at / lanes);
     const std::uint32_t row = fragment ? std::uint32_t(fragment_id) : std::uint32_t(row_id);
     return reinterpret_cast<const std::uint32_t*>(batch)[row * lanes + at % lanes];
 }
@@ -274,6 +295,9 @@ void raster_small(const RasterView& view, int x, int y, const std::uint32_t* ref
                   std::uint32_t count, TileBuffer& tile);
 void raster_medium(const RasterView& view, int x, int y, const std::uint32_t* refs,
                    std::uint32_t count, TileBuffer& tile);
+/// Draws refs of SetupWorker::quads.
+void raster_quads(const RasterView& view, int x, int y, const std::uint32_t* refs,
+                  std::uint32_t count, TileBuffer& tile);
 /// Draws the fragments of SetupWorker::fragments.
 void raster_fragments(const RasterView& view, int x, int y, const std::uint32_t* runs,
                       std::uint32_t count, TileBuffer& tile);
@@ -317,11 +341,13 @@ struct VertexLight {
 /// The cluster_padding vertices from `slot` on.
 void place_vertices(const ClusteredMesh& mesh, const PlacedMesh& placed, std::uint32_t slot,
                     bool back, const PointArrays& to);
-/// The face of each triangle of a batch, turned to the viewer.
+/// The face that each of a batch is or belongs to, turned to the viewer.
 void place_faces(const float* batch, const FaceArrays& faces, const PointArrays& to);
 
 /// Planes of radiance from row `to` on, from those of the corners' weights at row `weights`.
 void fill_lit(float* batch, int weights, int to, const VertexLight& light);
+/// Radiance at the corners of a batch of quadrilaterals, from row `to` on.
+void fill_quads_lit(float* batch, int to, const VertexLight& light);
 
 // ---- from what is seen to surface points
 
@@ -336,7 +362,7 @@ struct ResolveMaterial {
 
 struct ResolveView {
     RasterView raster;
-    Attributes attributes;
+    Attributes attributes, quad_attributes;
     bool affine;
     float sample_spacing;      // pixels from a sample to the next
     bool position_from_depth;  // else it is an attribute
@@ -416,8 +442,9 @@ struct SetupWorker {
     TileLists small;      // within one tile and 2 × 2 blocks
     TileLists medium;     // further
     TileLists fragments;  // ref of the first of some neighbours, and how many they are
-    std::vector<SpecialTriangle> special;
-    BatchRun batch_run, fragment_run;  // what the worker has taken from the stores
+    TileLists quads;      // refs of batches of quadrilaterals
+    std::vector<SpecialFace> special;
+    BatchRun batch_run, fragment_run, quad_run;  // what the worker has taken from the stores
     EventCounts events;
 };
 
@@ -431,7 +458,7 @@ struct SetupView {
     bool orthographic;
     bool affine;  // values travel linearly on the picture: `edges`, and orthographic projection
     bool cull_back;
-    Attributes attributes;
+    Attributes attributes, quad_attributes;
 };
 
 /// What set-up stores for one material of a mesh.
@@ -455,10 +482,15 @@ struct SetupObject {
     const SetupMaterial* material;  // [the mesh's material]
 };
 
+/// What set-up fills.
+struct SetupStores {
+    BatchStore &batches, &fragments, &quads;
+};
+
 /// Transforms, culls and sets up one cluster. `cluster`: its number in the object's mesh; clip: some
 /// vertex may lie outside near, far or the guard band.
 void setup_cluster(const SetupView& view, const SetupObject& object, std::uint32_t cluster,
-                   bool clip, BatchStore& batches, BatchStore& fragments, SetupWorker& worker);
+                   bool clip, const SetupStores& to, SetupWorker& worker);
 
 /// Numbers in a vector of the instruction set in use; at most 16.
 int vector_lanes();

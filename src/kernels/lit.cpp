@@ -16,26 +16,45 @@ VecI load_row(const float* batch, int row) {
     return hn::Load(tag_i, reinterpret_cast<const std::int32_t*>(batch) + row * N);
 }
 
-VecI side_of(VecI packed) {
+VecI back_of(VecI packed) {
     return hn::IfThenElseZero(
         hn::Ne(hn::And(packed, hn::Set(tag_i, std::int32_t(back_bit))), hn::Zero(tag_i)),
         hn::Set(tag_i, 1));
 }
 
+/// Places in VertexLight::radiance of a batch's corners.
+template <int K>
+struct CornerSlots {
+    VecI of[K];
+    CornerSlots(const float* batch, const VertexLight& light) {
+        const VecI packed = load_row(batch, row_corners);
+        const VecI first =
+            hn::Add(hn::Set(tag_i, std::int32_t(light.first)),
+                    hn::Mul(back_of(packed), hn::Set(tag_i, std::int32_t(light.side))));
+        VecI rest = packed;
+        for (int k = 0; k < K; ++k) {
+            of[k] = hn::Add(first, hn::And(rest, hn::Set(tag_i, max_cluster_vertices - 1)));
+            rest = hn::ShiftRight<corner_bits>(rest);
+        }
+    }
+};
+
+void fill_quads_here(float* batch, int to, const VertexLight& light) {
+    const CornerSlots<4> slots(batch, light);
+    for (int c = 0; c < 3; ++c)
+        for (int k = 0; k < 4; ++k)
+            hn::Store(hn::GatherIndex(tag_f, light.radiance[c], slots.of[k]), tag_f,
+                      batch + (to + 4 * c + k) * N);
+}
+
 /// Σ radiance_i · (plane of corner i's weight): the weights' planes are replaced.
 void fill_here(float* batch, int weights, int to, const VertexLight& light) {
-    const VecI packed = load_row(batch, row_corners);
-    const VecI local = hn::Set(tag_i, max_cluster_vertices - 1);
-    const VecI first = hn::Add(hn::Set(tag_i, std::int32_t(light.first)),
-                               hn::Mul(side_of(packed), hn::Set(tag_i, std::int32_t(light.side))));
-    const VecI point[3] = {hn::Add(first, hn::And(packed, local)),
-                           hn::Add(first, hn::And(hn::ShiftRight<corner_bits>(packed), local)),
-                           hn::Add(first, hn::And(hn::ShiftRight<2 * corner_bits>(packed), local))};
+    const CornerSlots<3> slots(batch, light);
     VecF weight[9];
     for (int r = 0; r < 9; ++r) weight[r] = hn::Load(tag_f, batch + (weights + r) * N);
     for (int c = 0; c < 3; ++c) {
         VecF L[3];
-        for (int k = 0; k < 3; ++k) L[k] = hn::GatherIndex(tag_f, light.radiance[c], point[k]);
+        for (int k = 0; k < 3; ++k) L[k] = hn::GatherIndex(tag_f, light.radiance[c], slots.of[k]);
         for (int part = 0; part < 3; ++part) {
             const VecF sum =
                 hn::MulAdd(L[0], weight[part],
@@ -71,7 +90,7 @@ void place_faces_here(const float* batch, const FaceArrays& faces, const PointAr
     const VecI last = hn::Set(tag_i, std::int32_t(faces.triangle_count) - 1);
     const VecI triangle = hn::Min(hn::Max(in_mesh, hn::Zero(tag_i)), last);
     const VecI face = hn::GatherIndex(tag_i, as_int(faces.triangle_face), triangle);
-    const VecI back = side_of(load_row(batch, row_corners));
+    const VecI back = back_of(load_row(batch, row_corners));
     const VecF side = hn::Sub(hn::Set(tag_f, 1.0f), to_float(hn::Add(back, back)));
     for (int c = 0; c < 3; ++c) {
         hn::StoreU(hn::GatherIndex(tag_f, faces.centre[c], face), tag_f, to.position[c]);
@@ -86,11 +105,15 @@ SCANSHADE_TARGET_END;
 namespace scanshade {
 
 HWY_EXPORT(fill_here);
+HWY_EXPORT(fill_quads_here);
 HWY_EXPORT(place_vertices_here);
 HWY_EXPORT(place_faces_here);
 
 void fill_lit(float* batch, int weights, int to, const VertexLight& light) {
     HWY_DYNAMIC_DISPATCH(fill_here)(batch, weights, to, light);
+}
+void fill_quads_lit(float* batch, int to, const VertexLight& light) {
+    HWY_DYNAMIC_DISPATCH(fill_quads_here)(batch, to, light);
 }
 void place_vertices(const ClusteredMesh& mesh, const PlacedMesh& placed, std::uint32_t slot,
                     bool back, const PointArrays& to) {

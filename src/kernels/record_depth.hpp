@@ -8,6 +8,7 @@
 
 #include "kernels/engine_data.hpp"
 #include "kernels/screen_plane.hpp"
+#include "kernels/screen_quad.hpp"
 #include "kernels/vectors.hpp"
 
 SCANSHADE_TARGET_BEGIN;
@@ -91,15 +92,29 @@ inline VecF clipped_depth(const RasterView& view, const Record& r, const Positio
     return hn::Sub(hn::Set(tag_f, 1.0f), hn::Mul(hn::Set(tag_f, 0.5f), share));
 }
 
+/// The ScreenQuad of a record or of one face of a batch, whose rows are `stride` numbers apart.
+HWY_INLINE ScreenQuad<Lanes> quad_from(const float* rows, int stride) {
+    const auto value = [&](int row) HWY_ATTR { return Lanes(rows[row * stride]); };
+    ScreenQuad<Lanes> q;
+    for (int k = 0; k < 4; ++k) {
+        q.x[k] = value(row_quad_x + k), q.y[k] = value(row_quad_y + k);
+        q.per_height[k] = value(row_quad_per_height + k), q.z[k] = value(row_quad_depth + k);
+    }
+    return q;
+}
+
 /// Depth, with the bits of the scalar renderers.
 inline VecF record_depth(const RasterView& view, const Record& r, const Positions& at) {
+    const Lanes x(to_float(hn::Sub(at.x, hn::Set(tag_i, r.origin_x))));
+    const Lanes y(to_float(hn::Sub(at.y, hn::Set(tag_i, r.origin_y))));
     if (r.depth == Record::Depth::plane) {
         const float* depth = r.rows + row_depth;
-        const ScreenPlane<Lanes> plane = {Lanes(depth[0]), Lanes(depth[1]), Lanes(depth[2])};
-        return plane_value(plane, Lanes(to_float(hn::Sub(at.x, hn::Set(tag_i, r.origin_x)))),
-                           Lanes(to_float(hn::Sub(at.y, hn::Set(tag_i, r.origin_y)))))
+        return plane_value(ScreenPlane<Lanes>{Lanes(depth[0]), Lanes(depth[1]), Lanes(depth[2])}, x,
+                           y)
             .v;
     }
+    if (r.depth == Record::Depth::spans)
+        return span_depth(quad_span(quad_from(r.rows, 1), y), x).v;
     if (r.depth == Record::Depth::clipped) return clipped_depth(view, r, at);
     VecF lambda[3];
     triangle_weights(r, at, lambda);

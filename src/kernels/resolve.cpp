@@ -11,21 +11,12 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "kernels/record_depth.hpp"
-#include "kernels/vectors.hpp"
+#include "kernels/resolve_lookups.hpp"
 
 SCANSHADE_TARGET_BEGIN;
 
 /// Shorter than this, an interpolated normal is noise.
 constexpr float shortest_normal2 = 1e-12f;
-
-/// One vector of samples.
-struct Samples {
-    Positions at;
-    VecF x, y;             // at, in float
-    VecF z, inv_z;         // 1 where there is no surface
-    std::uint32_t number;  // of the vector in the surface
-};
 
 class SubtileResolve {
 public:
@@ -46,27 +37,6 @@ public:
     }
 
 private:
-    /// Rows of a record's planes: the same at every sample.
-    class RecordLookup {
-    public:
-        RecordLookup(const Record& record, const Samples& s) : rows_(record.rows) {
-            x_ = hn::Sub(s.x, row(row_origin_x));
-            y_ = hn::Sub(s.y, row(row_origin_y));
-        }
-        VecF row(int r) const { return hn::Set(tag_f, rows_[r]); }
-        VecF plane(int r) const {
-            return hn::MulAdd(row(r + 1), x_, hn::MulAdd(row(r + 2), y_, row(r)));
-        }
-        /// Depth, with the bits of the scalar renderers.
-        VecF at(const ScreenPlane<Lanes>& depth) const {
-            return plane_value(depth, Lanes(x_), Lanes(y_)).v;
-        }
-
-    private:
-        const float* rows_;
-        VecF x_, y_;
-    };
-
     void resolve_vector(int column, int row, int v) {
         const int at = tile_index(column, row) + v * N;
         const VecI ref = hn::Load(tag_i, as_int(tile_.ref + at));
@@ -87,20 +57,25 @@ private:
         s.number = number;
         if (view_.position_from_depth) recover_position(s);
         first_part_ = out_.parts.size();
-        while (pending != 0) {
-            const std::uint32_t first = tile_.ref[at + __builtin_ctz(pending)];
-            const std::uint32_t lanes =
-                pending & ((first & record_bit) != 0     ? resolve_record(s, ref, first, pending)
-                           : (first & fragment_bit) != 0 ? resolve_fragments(s, ref, first, pending)
-                                                         : resolve_batch(s, ref, first, pending));
-            pending &= ~lanes;
-        }
+        while (pending != 0)
+            pending &= ~resolve_lanes(s, ref, tile_.ref[at + __builtin_ctz(pending)], pending);
     }
 
-    /// A subtile that a planar record covers alone.
+    /// Resolves the lanes that show the same record as `first`, or the same batch; returns them.
+    HWY_INLINE std::uint32_t resolve_lanes(const Samples& s, VecI ref, std::uint32_t first,
+                                           std::uint32_t pending) {
+        if ((first & record_bit) != 0) return resolve_record(s, ref, first, pending);
+        if ((first & fragment_bit) != 0) return resolve_fragments(s, ref, first, pending);
+        const bool quads = (first & quad_bit) != 0;
+        const BatchStore& store = quads ? *view_.raster.quads : *view_.raster.batches;
+        return quads ? resolve_batch<QuadLookup<BatchRows>>(s, store, view_.quad_attributes, ref,
+                                                            first, pending)
+                     : resolve_batch<PlaneLookup<BatchRows>>(s, store, view_.attributes, ref, first,
+                                                             pending);
+    }
+
+    /// A subtile that a record covers alone.
     void resolve_owned(int sx, int sy, const Record& r) {
-        const float* depth = r.rows + row_depth;
-        const ScreenPlane<Lanes> plane = {Lanes(depth[0]), Lanes(depth[1]), Lanes(depth[2])};
         const VecF one = hn::Set(tag_f, 1.0f);
         const MaskF every = hn::Eq(one, one);
         const Shading shading = view_.objects[r.object].shading;
@@ -113,14 +88,26 @@ private:
             store(out_.counted, s.number, one);
             s.at = block_positions(x_ + column, y_ + row, v);
             s.x = to_float(s.at.x), s.y = to_float(s.at.y);
-            const RecordLookup values(r, s);
-            s.z = values.at(plane);
+            s.z = record_depth(view_.raster, r, s.at);
             s.inv_z = reciprocal(Lanes(s.z)).v;
             if (view_.position_from_depth) recover_position(s);
-            resolve_values(s, values, shading, view_.materials[r.material], false, every, true);
+            resolve_rows(s, r, shading, false, every, true);
             first_part_ = out_.parts.size();
             add_part(s.number, full, r.material, shading);
         }
+    }
+
+    /// The values of a record that has rows as a batch has.
+    HWY_INLINE void resolve_rows(const Samples& s, const Record& r, Shading shading,
+                                 bool normals_disagree, MaskF mask, bool all) {
+        const ResolveMaterial& material = view_.materials[r.material];
+        const RecordRows rows(r);
+        if (r.depth == Record::Depth::spans)
+            resolve_values(s, QuadLookup<RecordRows>(rows, s, view_.quad_attributes), shading,
+                           material, normals_disagree, mask, all);
+        else
+            resolve_values(s, PlaneLookup<RecordRows>(rows, s, view_.attributes), shading, material,
+                           normals_disagree, mask, all);
     }
 
     /// The lanes whose number in `numbers` is `number`, of those pending.
@@ -129,18 +116,20 @@ private:
                        mask_of(tag_i, pending));
     }
 
-    // ---- triangles of batches
-    HWY_INLINE std::uint32_t resolve_batch(const Samples& s, VecI ref, std::uint32_t first,
-                                           std::uint32_t pending) {
-        const std::uint32_t number = first >> lane_shift;
-        const MaskI mask = lanes_of(hn::ShiftRight<lane_shift>(ref), number, pending);
+    // ---- batches
+    template <class Lookup>
+    HWY_INLINE std::uint32_t resolve_batch(const Samples& s, const BatchStore& store,
+                                           const Attributes& attributes, VecI ref,
+                                           std::uint32_t first, std::uint32_t pending) {
+        const std::uint32_t number = (first & ~quad_bit) >> lane_shift;
+        const MaskI mask = lanes_of(hn::ShiftRight<lane_shift>(ref), first >> lane_shift, pending);
         const std::uint32_t lanes = mask_bits(tag_i, mask);
-        const BatchInfo& info = view_.raster.batches->info(number);
+        const BatchInfo& info = store.info(number);
         if (view_.objects[info.object].scalar) {
             leave_open(s, lanes, info.material, view_.objects[info.object].shading);
             return lanes;
         }
-        const BatchLookup batch(view_.raster.batches->batch(number), ref, s);
+        const Lookup batch(BatchRows(store.batch(number), ref), s, attributes);
         const bool all = lanes == pending && pending == full;
         resolve_values(s, batch, view_.objects[info.object].shading, view_.materials[info.material],
                        info.normals_disagree, hn::RebindMask(tag_f, mask), all);
@@ -169,43 +158,22 @@ private:
         return lanes;
     }
 
-    /// Rows of a batch at the triangles of the samples.
-    class BatchLookup {
-    public:
-        BatchLookup(const float* batch, VecI ref, const Samples& s)
-            : batch_(batch), lane_(hn::IndicesFromVec(tag_f, hn::And(ref, hn::Set(tag_i, N - 1)))) {
-            x_ = hn::Sub(s.x, row(row_origin_x));
-            y_ = hn::Sub(s.y, row(row_origin_y));
-        }
-        VecF row(int r) const {
-            return hn::TableLookupLanes(hn::Load(tag_f, batch_ + r * N), lane_);
-        }
-        VecF plane(int r) const {
-            return hn::MulAdd(row(r + 1), x_, hn::MulAdd(row(r + 2), y_, row(r)));
-        }
-
-    private:
-        const float* batch_;
-        decltype(hn::IndicesFromVec(tag_f, VecI())) lane_;
-        VecF x_, y_;
-    };
-
     template <class Lookup>
     HWY_INLINE void resolve_values(const Samples& s, const Lookup& batch, Shading shading,
                                    const ResolveMaterial& material, bool normals_disagree,
                                    MaskF mask, bool all) {
-        const Attributes& at = view_.attributes;
+        const Attributes& at = batch.at;
         const VecF unscale = view_.affine ? hn::Set(tag_f, 1.0f) : s.inv_z;
         if (shading == Shading::phong && material.reads_normal) {
             VecF n[3];
-            for (int c = 0; c < 3; ++c) n[c] = batch.plane(at.main + 3 * c);
+            for (int c = 0; c < 3; ++c) n[c] = batch.value(at.main + at.stride * c);
             if (normals_disagree) note_zero_normals(s, n, mask);
             for (int c = 0; c < 3; ++c) put(out_.normal[c], s.number, n[c], mask, all);
         }
         if (shading == Shading::phong && at.position >= 0)
             for (int c = 0; c < 3; ++c)
-                put(out_.position[c], s.number, hn::Mul(batch.plane(at.position + 3 * c), unscale),
-                    mask, all);
+                put(out_.position[c], s.number,
+                    hn::Mul(batch.value(at.position + at.stride * c), unscale), mask, all);
         if (shading != Shading::phong) resolve_lit(s, batch, shading, material, unscale, mask, all);
         if (material.textured) resolve_texture(s, batch, unscale, mask, all);
     }
@@ -214,17 +182,21 @@ private:
     template <class Lookup>
     void resolve_texture(const Samples& s, const Lookup& batch, VecF unscale, MaskF mask,
                          bool all) {
+        // Levels follow the mapping in perspective, which `edges` does not have.
+        const bool steps = Lookup::planes && (!view_.affine || view_.raster.orthographic);
         const VecF spacing = hn::Set(tag_f, view_.sample_spacing);
         for (int c = 0; c < 2; ++c) {
-            const int row = view_.attributes.texcoord + 3 * c;
-            const VecF u = hn::Mul(batch.plane(row), unscale);
+            const int row = batch.at.texcoord + batch.at.stride * c;
+            const VecF u = hn::Mul(batch.value(row), unscale);
             put(out_.texcoord[c], s.number, u, mask, all);
             for (int axis = 0; axis < 2; ++axis) {
-                VecF step = batch.row(row + 1 + axis);
-                if (!view_.affine) step = hn::NegMulAdd(u, batch.row(row_depth + 1 + axis), step);
-                step = hn::Mul(hn::Mul(step, unscale), spacing);
-                // Levels follow the mapping in perspective, which `edges` does not have.
-                if (view_.affine && !view_.raster.orthographic) step = not_a_number();
+                VecF step = not_a_number();
+                if (steps) {
+                    step = batch.row(row + 1 + axis);
+                    if (!view_.affine)
+                        step = hn::NegMulAdd(u, batch.row(row_depth + 1 + axis), step);
+                    step = hn::Mul(hn::Mul(step, unscale), spacing);
+                }
                 put(out_.texstep[2 * axis + c], s.number, step, mask, all);
             }
         }
@@ -235,13 +207,14 @@ private:
     template <class Lookup>
     void resolve_lit(const Samples& s, const Lookup& batch, Shading shading,
                      const ResolveMaterial& material, VecF unscale, MaskF mask, bool all) {
-        const Attributes& at = view_.attributes;
+        const Attributes& at = batch.at;
         const auto value = [&](int row) HWY_ATTR {
-            return shading == Shading::flat ? batch.row(row) : hn::Mul(batch.plane(row), unscale);
+            return shading == Shading::flat ? batch.row(row) : hn::Mul(batch.value(row), unscale);
         };
         for (int c = 0; c < 3; ++c) {
-            put(out_.radiance[c], s.number, value(at.main + 3 * c), mask, all);
-            if (material.textured) put(out_.dark[c], s.number, value(at.dark + 3 * c), mask, all);
+            put(out_.radiance[c], s.number, value(at.main + at.stride * c), mask, all);
+            if (material.textured)
+                put(out_.dark[c], s.number, value(at.dark + at.stride * c), mask, all);
         }
     }
 
@@ -257,9 +230,8 @@ private:
             return lanes;
         }
         const bool all = lanes == pending && pending == full;
-        if (r.depth == Record::Depth::plane) {
-            resolve_values(s, RecordLookup(r, s), shading, view_.materials[r.material],
-                           r.normals_disagree, hn::RebindMask(tag_f, mask), all);
+        if (r.depth == Record::Depth::plane || r.depth == Record::Depth::spans) {
+            resolve_rows(s, r, shading, r.normals_disagree, hn::RebindMask(tag_f, mask), all);
         } else {
             VecF w[3];
             record_weights(s, r, w);
@@ -302,7 +274,7 @@ private:
                 w[0], hn::Set(tag_f, a),
                 hn::MulAdd(w[1], hn::Set(tag_f, b), hn::Mul(w[2], hn::Set(tag_f, c))));
         };
-        const auto main = [&](const float(&m)[3][3], int c) HWY_ATTR {
+        const auto main = [&](const float(&m)[4][3], int c) HWY_ATTR {
             return shading == Shading::flat ? hn::Set(tag_f, m[0][c])
                                             : sum(m[0][c], m[1][c], m[2][c]);
         };

@@ -10,56 +10,89 @@
 
 SCANSHADE_TARGET_BEGIN;
 
+/// Rows of one batch, and what those of triangles and of quadrilaterals have in common.
+class RowWriter {
+public:
+    explicit RowWriter(float* batch) : batch_(batch) {}
+
+    void store(int row, VecF value) const { hn::Store(value, tag_f, batch_ + row * N); }
+    void store_int(int row, VecI value) const {
+        hn::Store(value, tag_i, reinterpret_cast<std::int32_t*>(batch_ + row * N));
+    }
+    void store_plane(int row, const ScreenPlane<Lanes>& plane) const {
+        store(row, plane.c.v), store(row + 1, plane.x.v), store(row + 2, plane.y.v);
+    }
+
+    void store_face(const ClusterContext& of, const Boxes& box, VecI ox, VecI oy, VecI packed) const {
+        store(row_origin_x, to_float(ox));
+        store(row_origin_y, to_float(oy));
+        const VecI columns = hn::ShiftRight<2>(hn::Sub(box.x1, ox));
+        const VecI rows = hn::ShiftRight<2>(hn::Sub(box.y1, oy));
+        store_int(row_extent, hn::Or(columns, hn::ShiftLeft<16>(rows)));
+        store_int(row_corners, packed);
+        store_int(row_id, triangle_ids(of, packed));
+    }
+
+    /// Steps of whole pixels from the origin.
+    template <int K>
+    void store_edges(const Edges<K>& e, const Boxes& box, VecI ox, VecI oy) const {
+        const VecI back_x = hn::Sub(ox, box.x0), back_y = hn::Sub(oy, box.y0);
+        for (int k = 0; k < K; ++k) {
+            const VecI at_origin =
+                hn::Add(e.inside[k], hn::Add(hn::Mul(e.A[k], back_x), hn::Mul(e.B[k], back_y)));
+            store(row_edges + k, to_float(e.A[k]));
+            store(row_edges + K + k, to_float(e.B[k]));
+            store(row_edges + 2 * K + k, to_float(at_origin));
+        }
+    }
+
+private:
+    float* batch_;
+};
+
+/// The world positions of N vertices of a cluster.
+struct WorldPositions {
+    VecF axis[3];
+};
+inline WorldPositions world_positions(const ClusterContext& of, VecI local) {
+    const ClusteredMesh& mesh = *of.object.mesh;
+    const VecF x = hn::GatherIndex(tag_f, &mesh.x[of.cluster.first_vertex], local);
+    const VecF y = hn::GatherIndex(tag_f, &mesh.y[of.cluster.first_vertex], local);
+    const VecF z = hn::GatherIndex(tag_f, &mesh.z[of.cluster.first_vertex], local);
+    WorldPositions p;
+    for (int axis = 0; axis < 3; ++axis) {
+        const float* m = of.object.to_world[axis];
+        p.axis[axis] =
+            hn::MulAdd(hn::Set(tag_f, m[0]), x,
+                       hn::MulAdd(hn::Set(tag_f, m[1]), y,
+                                  hn::MulAdd(hn::Set(tag_f, m[2]), z, hn::Set(tag_f, m[3]))));
+    }
+    return p;
+}
+
 class BatchWriter {
 public:
     BatchWriter(const ClusterContext& of, BatchStore& store, SetupWorker& worker)
-        : of_(of), store_(store), worker_(worker) {}
+        : of_(of), store_(store), worker_(worker), rows_(nullptr) {}
 
     /// Writes a batch of `count` triangles, and lists those of `kept`.
     void write(const Triangles& t, std::uint32_t count, MaskI kept) {
         const std::uint32_t number = worker_.batch_run.fresh(store_);
         store_.info(number) = of_.batch_info(count);
-        batch_ = store_.batch(number);
-        const VecI back_x = hn::Sub(t.ox, t.box.x0), back_y = hn::Sub(t.oy, t.box.y0);
-        store_edges(t.edges, back_x, back_y);
-        store_plane(row_depth, t.depth.c.v, t.depth.x.v, t.depth.y.v);
-        store(row_origin_x, to_float(t.ox));
-        store(row_origin_y, to_float(t.oy));
-        const VecI columns = hn::ShiftRight<2>(hn::Sub(t.box.x1, t.ox));
-        const VecI rows = hn::ShiftRight<2>(hn::Sub(t.box.y1, t.oy));
-        store_int(row_extent, hn::Or(columns, hn::ShiftLeft<16>(rows)));
-        store_int(row_corners, t.corners.packed);
-        store_int(row_id, triangle_ids(of_, t.corners.packed));
+        rows_ = RowWriter(store_.batch(number));
+        rows_.store_edges(t.edges, t.box, t.ox, t.oy);
+        rows_.store_plane(row_depth, t.depth);
+        rows_.store_face(of_, t.box, t.ox, t.oy, t.corners.packed);
         store_attributes(t.corners, weights_of(t, of_.view.affine));
         bin(number, kept, t.box);
     }
 
 private:
-    void store(int row, VecF value) { hn::Store(value, tag_f, batch_ + row * N); }
-    void store_int(int row, VecI value) {
-        hn::Store(value, tag_i, reinterpret_cast<std::int32_t*>(batch_ + row * N));
-    }
-    void store_plane(int row, VecF c, VecF x, VecF y) {
-        store(row, c), store(row + 1, x), store(row + 2, y);
-    }
-
-    /// Steps of whole pixels from the origin.
-    void store_edges(const Edges& e, VecI back_x, VecI back_y) {
-        for (int k = 0; k < 3; ++k) {
-            const VecI at_origin =
-                hn::Add(e.inside[k], hn::Add(hn::Mul(e.A[k], back_x), hn::Mul(e.B[k], back_y)));
-            store(row_edge_x + k, to_float(e.A[k]));
-            store(row_edge_y + k, to_float(e.B[k]));
-            store(row_edge_c + k, to_float(at_origin));
-        }
-    }
-
-    void store_attributes(const Corners& c, const Weights& w) {
+    void store_attributes(const Corners<3>& c, const Weights& w) {
         const Attributes& at = of_.view.attributes;
         if (at.main >= 0 && of_.material.store_normals) store_normals(c, w);
         if (at.main >= 0 && of_.object.shading == Shading::gouraud)
-            for (int k = 0; k < 3; ++k)
-                store_plane(at.main + 3 * k, w.of[k].c.v, w.of[k].x.v, w.of[k].y.v);
+            for (int k = 0; k < 3; ++k) rows_.store_plane(at.main + 3 * k, w.of[k]);
         const ClusteredMesh& mesh = *of_.object.mesh;
         if (at.texcoord >= 0 && of_.material.store_texcoords) {
             store_values(at.texcoord, &mesh.u[of_.cluster.first_vertex], c, w);
@@ -68,41 +101,29 @@ private:
         if (at.position >= 0) store_positions(c, w);
     }
 
-    void store_normals(const Corners& c, const Weights& w) {
+    void store_normals(const Corners<3>& c, const Weights& w) {
         const Weights turned = turned_weights(c, w);
         for (int axis = 0; axis < 3; ++axis)
             store_values(of_.view.attributes.main + 3 * axis,
                          of_.object.normal[axis] + of_.cluster.first_vertex, c, turned);
     }
 
-    void store_positions(const Corners& c, const Weights& w) {
-        const ClusteredMesh& mesh = *of_.object.mesh;
-        VecF p[3][3];
-        for (int k = 0; k < 3; ++k) {
-            const VecF x = hn::GatherIndex(tag_f, &mesh.x[of_.cluster.first_vertex], c.local[k]);
-            const VecF y = hn::GatherIndex(tag_f, &mesh.y[of_.cluster.first_vertex], c.local[k]);
-            const VecF z = hn::GatherIndex(tag_f, &mesh.z[of_.cluster.first_vertex], c.local[k]);
-            for (int axis = 0; axis < 3; ++axis) {
-                const float* m = of_.object.to_world[axis];
-                p[axis][k] = hn::MulAdd(
-                    hn::Set(tag_f, m[0]), x,
-                    hn::MulAdd(hn::Set(tag_f, m[1]), y,
-                               hn::MulAdd(hn::Set(tag_f, m[2]), z, hn::Set(tag_f, m[3]))));
-            }
-        }
+    void store_positions(const Corners<3>& c, const Weights& w) {
+        WorldPositions p[3];
+        for (int k = 0; k < 3; ++k) p[k] = world_positions(of_, c.local[k]);
         for (int axis = 0; axis < 3; ++axis)
-            store_sum(of_.view.attributes.position + 3 * axis, p[axis], w);
+            store_sum(of_.view.attributes.position + 3 * axis,
+                      {p[0].axis[axis], p[1].axis[axis], p[2].axis[axis]}, w);
     }
 
-    void store_values(int row, const float* of_local, const Corners& c, const Weights& w) {
+    void store_values(int row, const float* of_local, const Corners<3>& c, const Weights& w) {
         VecF a[3];
         for (int k = 0; k < 3; ++k) a[k] = hn::GatherIndex(tag_f, of_local, c.local[k]);
         store_sum(row, a, w);
     }
 
     void store_sum(int row, const VecF (&a)[3], const Weights& w) {
-        const ScreenPlane<Lanes> plane = weighted_plane(a, w);
-        store_plane(row, plane.c.v, plane.x.v, plane.y.v);
+        rows_.store_plane(row, weighted_plane(a, w));
     }
 
     void bin(std::uint32_t batch, MaskI kept, const Boxes& box) {
@@ -132,7 +153,7 @@ private:
     const ClusterContext& of_;
     BatchStore& store_;
     SetupWorker& worker_;
-    float* batch_ = nullptr;
+    RowWriter rows_;
 };
 
 SCANSHADE_TARGET_END;

@@ -11,7 +11,7 @@
 SCANSHADE_TARGET_BEGIN;
 
 /// Where a triangle of a box of up to 2 × 2 samples covers the one that is (x, y) from its first.
-inline MaskI covers(const Edges& edges, const Boxes& box, int x, int y) {
+inline MaskI covers(const Edges<3>& edges, const Boxes& box, int x, int y) {
     VecI least = hn::Set(tag_i, 0x7fffffff);
     for (int k = 0; k < 3; ++k) {
         VecI v = edges.inside[k];

@@ -30,15 +30,21 @@ struct ClusterContext {
     const SetupMaterial& material;
     ClusterVertices vertices;
 
+    /// Leaves the cluster's face number `face` to the driver.
+    void divert(std::uint32_t face, SetupWorker& worker) const {
+        worker.special.push_back({object.index, object.mesh->triangle[cluster.first_face + face]});
+    }
+
     BatchInfo batch_info(std::uint32_t count) const {
         return {object.index, number, material.material, std::uint16_t(count),
                 object.normals_disagree[number] != 0};
     }
 };
 
-/// The corners of N triangles.
+/// The corners of N faces of K corners each.
+template <int K>
 struct Corners {
-    VecI packed, local[3], x[3], y[3];
+    VecI packed, local[K], x[K], y[K];
 };
 
 inline VecI box_first(VecI least, int sample) {
@@ -48,18 +54,20 @@ inline VecI box_last(VecI most, int sample) {
     return hn::ShiftRight<8>(hn::Sub(most, hn::Set(tag_i, sample)));
 }
 
-/// The samples that the triangles' boxes hold, clipped to the picture.
+/// The samples that the faces' boxes hold, clipped to the picture.
 struct Boxes {
     VecI x0, y0, x1, y1;
     VecI side_x, side_y;  // before clipping, 1/256 pixel
 };
 
-inline Boxes boxes_of(const Corners& c, const SetupView& view) {
+template <int K>
+HWY_INLINE Boxes boxes_of(const Corners<K>& c, const SetupView& view) {
     const VecI zero = hn::Zero(tag_i);
-    const VecI lx = hn::Min(c.x[0], hn::Min(c.x[1], c.x[2]));
-    const VecI hx = hn::Max(c.x[0], hn::Max(c.x[1], c.x[2]));
-    const VecI ly = hn::Min(c.y[0], hn::Min(c.y[1], c.y[2]));
-    const VecI hy = hn::Max(c.y[0], hn::Max(c.y[1], c.y[2]));
+    VecI lx = c.x[0], hx = c.x[0], ly = c.y[0], hy = c.y[0];
+    for (int k = 1; k < K; ++k) {
+        lx = hn::Min(lx, c.x[k]), hx = hn::Max(hx, c.x[k]);
+        ly = hn::Min(ly, c.y[k]), hy = hn::Max(hy, c.y[k]);
+    }
     return {hn::Max(zero, box_first(lx, view.sample_x)),
             hn::Max(zero, box_first(ly, view.sample_y)),
             hn::Min(hn::Set(tag_i, view.width - 1), box_last(hx, view.sample_x)),
@@ -68,40 +76,73 @@ inline Boxes boxes_of(const Corners& c, const SetupView& view) {
             hn::Sub(hy, ly)};
 }
 
-inline Corners fetch(const ClusterVertices& vertices, VecI packed) {
-    Corners c;
+/// Where a box holds any sample.
+inline MaskI holds_samples(const Boxes& box) {
+    return hn::Not(hn::Or(hn::Gt(box.x0, box.x1), hn::Gt(box.y0, box.y1)));
+}
+
+template <int K>
+HWY_INLINE Corners<K> fetch(const ClusterVertices& vertices, VecI packed) {
+    Corners<K> c;
     c.packed = packed;
-    const VecI local = hn::Set(tag_i, max_cluster_vertices - 1);
-    c.local[0] = hn::And(packed, local);
-    c.local[1] = hn::And(hn::ShiftRight<corner_bits>(packed), local);
-    c.local[2] = hn::And(hn::ShiftRight<2 * corner_bits>(packed), local);
-    for (int k = 0; k < 3; ++k) {
+    VecI rest = packed;
+    for (int k = 0; k < K; ++k) {
+        c.local[k] = hn::And(rest, hn::Set(tag_i, max_cluster_vertices - 1));
+        rest = hn::ShiftRight<corner_bits>(rest);
         c.x[k] = hn::GatherIndex(tag_i, vertices.x, c.local[k]);
         c.y[k] = hn::GatherIndex(tag_i, vertices.y, c.local[k]);
     }
     return c;
 }
 
+/// Corners in their other order where asked for, the side noted, in one number again.
+template <int K>
+HWY_INLINE VecI pack(const Corners<K>& c, MaskI turn, MaskI back) {
+    VecI packed = hn::Or(hn::And(c.packed, hn::Set(tag_i, ~std::int32_t(number_bit - 1))),
+                         hn::IfThenElseZero(back, hn::Set(tag_i, std::int32_t(back_bit))));
+    VecI corners = hn::Zero(tag_i);
+    for (int k = K - 1; k >= 0; --k)
+        corners = hn::Or(hn::ShiftLeft<corner_bits>(corners),
+                         hn::IfThenElse(turn, c.local[(K - k) % K], c.local[k]));
+    return hn::Or(packed, corners);
+}
+
+/// The outcodes of N faces: what is beyond one side with all corners, and with any.
+struct Outside {
+    MaskI all, any;
+};
+template <int K>
+HWY_INLINE Outside outside_of(const ClusterVertices& vertices, const Corners<K>& c) {
+    VecI all = hn::Set(tag_i, -1), any = hn::Zero(tag_i);
+    for (int k = 0; k < K; ++k) {
+        const VecI code = hn::GatherIndex(tag_i, vertices.outcode, c.local[k]);
+        all = hn::And(all, code), any = hn::Or(any, code);
+    }
+    return {hn::Ne(all, hn::Zero(tag_i)), hn::Ne(any, hn::Zero(tag_i))};
+}
+
 /// Twice the area, with its sign.
-inline VecI area2(const Corners& c) {
+inline VecI area2(const Corners<3>& c) {
     return hn::Sub(hn::Mul(hn::Sub(c.x[1], c.x[0]), hn::Sub(c.y[2], c.y[0])),
                    hn::Mul(hn::Sub(c.x[2], c.x[0]), hn::Sub(c.y[1], c.y[0])));
 }
 
-/// Edge functions of N triangles, those of the edge from corner k to the next.
+/// Edge functions of N faces, those of the edge from corner k to the next.
+template <int K>
 struct Edges {
-    VecI A[3], B[3];
-    VecI c[3];       // at the box's first sample, 1/256 pixel²
-    VecI inside[3];  // ⌊(c − bias)/256⌋: ≥ 0 where the sample is inside
+    VecI A[K], B[K];
+    VecI c[K];       // at the box's first sample, 1/256 pixel²
+    VecI inside[K];  // ⌊(c − bias)/256⌋: ≥ 0 where the sample is inside
 };
 
-inline Edges edges_of(const Corners& c, const Boxes& box, const SetupView& view) {
-    Edges e;
+template <int K>
+HWY_INLINE Edges<K> edges_of(const Corners<K>& c, const Boxes& box, const SetupView& view) {
+    Edges<K> e;
     const VecI zero = hn::Zero(tag_i);
     const VecI px = hn::Add(hn::ShiftLeft<8>(box.x0), hn::Set(tag_i, view.sample_x));
     const VecI py = hn::Add(hn::ShiftLeft<8>(box.y0), hn::Set(tag_i, view.sample_y));
-    for (int k = 0; k < 3; ++k) {
-        const int j = (k + 1) % 3;
+    for (int k = 0; k < K; ++k) {
+        const int j = (k + 1) % K;
         e.A[k] = hn::Sub(c.y[k], c.y[j]);
         e.B[k] = hn::Sub(c.x[j], c.x[k]);
         e.c[k] =
@@ -116,7 +157,7 @@ inline Edges edges_of(const Corners& c, const Boxes& box, const SetupView& view)
 
 /// Depth as a plane, in double from corners in the order of (y, x): coincident triangles have
 /// the same bits, whichever corner their file names first.
-inline ScreenPlane<Lanes> depth_plane(const Corners& c, const VecF (&depth)[3], VecI ox, VecI oy,
+inline ScreenPlane<Lanes> depth_plane(const Corners<3>& c, const VecF (&depth)[3], VecI ox, VecI oy,
                                       const SetupView& view) {
     VecI x[3] = {c.x[0], c.x[1], c.x[2]}, y[3] = {c.y[0], c.y[1], c.y[2]};
     VecF z[3] = {depth[0], depth[1], depth[2]};
@@ -158,9 +199,9 @@ inline ScreenPlane<Lanes> depth_plane(const Corners& c, const VecF (&depth)[3], 
 /// Everything about N triangles that batches and fragments are made of. Planes count pixels from
 /// (ox, oy), the first sample of the block that the box begins in.
 struct Triangles {
-    Corners corners;
+    Corners<3> corners;
     Boxes box;
-    Edges edges;
+    Edges<3> edges;
     VecI ox, oy, area;
     VecF z[3];
     ScreenPlane<Lanes> depth;
@@ -168,7 +209,7 @@ struct Triangles {
 
 inline Triangles triangles_of(const ClusterVertices& vertices, VecI packed, const SetupView& view) {
     Triangles t;
-    t.corners = fetch(vertices, packed);
+    t.corners = fetch<3>(vertices, packed);
     t.box = boxes_of(t.corners, view);
     t.edges = edges_of(t.corners, t.box, view);
     t.ox = hn::And(t.box.x0, hn::Set(tag_i, ~3));
@@ -226,24 +267,29 @@ inline ScreenPlane<Lanes> weighted_plane(const VecF (&a)[3], const Weights& w) {
     return {sum(&ScreenPlane<Lanes>::c), sum(&ScreenPlane<Lanes>::x), sum(&ScreenPlane<Lanes>::y)};
 }
 
-/// Seen from behind, normals are negated: the weights with the triangle's sign.
-inline Weights turned_weights(const Corners& c, const Weights& w) {
+/// Seen from behind, normals are negated: −1, else 1.
+inline VecF side_of(VecI packed) {
     const MaskI back =
-        hn::Ne(hn::And(c.packed, hn::Set(tag_i, std::int32_t(back_bit))), hn::Zero(tag_i));
-    const Lanes side(
-        hn::IfThenElse(hn::RebindMask(tag_f, back), hn::Set(tag_f, -1.0f), hn::Set(tag_f, 1.0f)));
+        hn::Ne(hn::And(packed, hn::Set(tag_i, std::int32_t(back_bit))), hn::Zero(tag_i));
+    return hn::IfThenElse(hn::RebindMask(tag_f, back), hn::Set(tag_f, -1.0f),
+                          hn::Set(tag_f, 1.0f));
+}
+
+/// The weights with the triangle's sign.
+inline Weights turned_weights(const Corners<3>& c, const Weights& w) {
+    const Lanes side(side_of(c.packed));
     Weights turned;
     for (int k = 0; k < 3; ++k)
         turned.of[k] = {w.of[k].c * side, w.of[k].x * side, w.of[k].y * side};
     return turned;
 }
 
-/// Each triangle's number in the scene.
+/// Each face's number in the scene: of its (first) triangle.
 inline VecI triangle_ids(const ClusterContext& of, VecI packed) {
     const VecI at =
         hn::And(hn::ShiftRight<number_shift>(packed), hn::Set(tag_i, 2 * max_cluster_vertices - 1));
     const VecI in_mesh =
-        hn::GatherIndex(tag_i, as_int(&of.object.mesh->triangle[of.cluster.first_triangle]), at);
+        hn::GatherIndex(tag_i, as_int(&of.object.mesh->triangle[of.cluster.first_face]), at);
     return hn::Add(in_mesh, hn::Set(tag_i, std::int32_t(of.object.first_triangle)));
 }
 

@@ -14,7 +14,7 @@ int tiles_along(int size, int tile) { return (size + tile - 1) / tile; }
 }  // namespace
 
 Engine::State::State(const Scene& normalised_scene, const RenderPlan& plan)
-    : scene(normalised_scene) {
+    : scene(normalised_scene, plan.interpolation) {
     const int threads = plan.threads == 0 ? available_threads() : plan.threads;
     workers.resize(static_cast<std::size_t>(threads));
 }
@@ -48,7 +48,7 @@ Engine::Pass::Pass(State& state, Frame& frame)
       tile_(frame.plan.tile),
       tiles_x_(tiles_along(frame.view.width, tile_)),
       tiles_y_(tiles_along(frame.view.height, tile_)),
-      light_(shading_, state.scene, state.batches, state.records, state.light) {
+      light_(shading_, state.scene, {&state.batches, &state.quads}, state.records, state.light) {
     make_setup_view();
     make_objects();
     make_resolve_view();
@@ -65,7 +65,8 @@ void Engine::Pass::reset_workers() {
         worker.setup.medium.reset(tile_count());
         worker.setup.special.clear();
         worker.setup.fragments.reset(tile_count());
-        worker.setup.batch_run = worker.setup.fragment_run = {};
+        worker.setup.quads.reset(tile_count());
+        worker.setup.batch_run = worker.setup.fragment_run = worker.setup.quad_run = {};
         worker.setup.events = {};
         worker.records.reset(tile_count());
         worker.events = {};
@@ -79,13 +80,16 @@ void Engine::Pass::reset_batches() {
     const auto lanes = static_cast<std::uint32_t>(vector_lanes());
     // Runs that workers leave unfinished, and what they fetch early.
     const std::size_t spare = batches_in_run * state_.workers.size() + 1;
-    std::size_t batches = spare, fragments = spare;
+    std::size_t batches = spare, fragments = spare, quads = spare;
     for (const EngineObject& object : state_.scene.objects)
         for (const Cluster& cluster : object.mesh->clusters) {
-            batches += (cluster.triangle_count + lanes - 1) / lanes;
-            fragments += (most_fragments * cluster.triangle_count + lanes - 1) / lanes;
+            const std::size_t full = (cluster.face_count + lanes - 1) / lanes;
+            (cluster.corners == 4 ? quads : batches) += full;
+            if (cluster.corners == 3)
+                fragments += (most_fragments * cluster.face_count + lanes - 1) / lanes;
         }
     state_.batches.reset(batches, setup_.attributes.rows, int(lanes));
+    state_.quads.reset(quads, setup_.quad_attributes.rows, int(lanes));
     state_.fragments.reset(fragments, fragment_rows, int(lanes));
 }
 
@@ -93,19 +97,14 @@ void Engine::Pass::set_up() {
     reset_workers();
     reset_batches();
     for (std::size_t i = 0; i < objects_.size(); ++i) {
-        if (by_faces(i)) {
-            add_faces(i);
-            continue;
-        }
         parallel_for(state_.scene.objects[i].bounds.size(), 16, frame_.plan.threads,
                      [&](std::size_t begin, std::size_t end, int w) {
                          for (std::size_t c = begin; c < end; ++c) set_up_cluster(i, c, worker(w));
                      });
     }
     for (const EngineWorker& worker : state_.workers) {
-        // What is left of the run that the worker took.
-        for (std::uint32_t b = worker.setup.batch_run.next; b < worker.setup.batch_run.last; ++b)
-            state_.batches.info(b).count = 0;
+        state_.batches.leave_empty(worker.setup.batch_run);
+        state_.quads.leave_empty(worker.setup.quad_run);
         frame_.items += worker.triangles;
     }
 }
@@ -117,7 +116,7 @@ void Engine::Pass::set_up_cluster(std::size_t object, std::size_t number, Engine
         count(worker.saved, row, {saved ? amount : 0, amount});
         return saved;
     };
-    const std::uint64_t triangles = cluster.triangle_count;
+    const std::uint64_t triangles = cluster.face_count;
     if (save(PlanRow::clusters_outside,
              leaves_out(PlanRow::clusters_outside) && cull_.outside(bounds), triangles))
         return;
@@ -131,30 +130,14 @@ void Engine::Pass::set_up_cluster(std::size_t object, std::size_t number, Engine
     if (objects_[object].shading != Shading::gouraud)
         save(PlanRow::normals, !material.store_normals, triangles);
     save(PlanRow::texcoords, !material.store_texcoords, triangles);
-    worker.triangles += cluster.triangle_count;
+    worker.triangles += cluster.face_count;
     setup_cluster(setup_, objects_[object], static_cast<std::uint32_t>(number), clip,
-                  state_.batches, state_.fragments, worker.setup);
-}
-
-/// In `edges`, faces of more than three corners are drawn whole.
-bool Engine::Pass::by_faces(std::size_t object) const {
-    return frame_.plan.interpolation == Interpolation::edges &&
-           frame_.scene.objects[object].mesh->has_polygons;
-}
-
-void Engine::Pass::add_faces(std::size_t object) {
-    parallel_for(frame_.scene.objects[object].mesh->face_count(), 64, frame_.plan.threads,
-                 [&](std::size_t begin, std::size_t end, int w) {
-                     RecordMaker maker(frame_, shading_.surfaces, tile_, tiles_x_,
-                                       setup_.attributes, worker(w).records, worker(w).events);
-                     for (std::size_t face = begin; face < end; ++face)
-                         maker.add_face(object, face);
-                     worker(w).triangles += end - begin;
-                 });
+                  {state_.batches, state_.fragments, state_.quads}, worker.setup);
 }
 
 /// Records of what set-up left over, all in one array.
 void Engine::Pass::make_records() {
+    leave_out_polygons();
     parallel_for(state_.workers.size(), 1, frame_.plan.threads,
                  [&](std::size_t begin, std::size_t end, int) {
                      for (std::size_t w = begin; w < end; ++w) make_records(state_.workers[w]);
@@ -170,11 +153,22 @@ void Engine::Pass::make_records() {
     frame_.items += state_.records.size();
 }
 
+/// Faces that no cluster has, shared out among the workers.
+void Engine::Pass::leave_out_polygons() {
+    std::size_t next = 0;
+    for (std::uint32_t i = 0; i < state_.scene.objects.size(); ++i) {
+        const Mesh& mesh = *frame_.scene.objects[i].mesh;
+        for (const std::uint32_t face : state_.scene.objects[i].mesh->left_out)
+            state_.workers[next++ % state_.workers.size()].setup.special.push_back(
+                {i, mesh.face_first_triangle[face]});
+    }
+}
+
 void Engine::Pass::make_records(EngineWorker& worker) {
-    RecordMaker maker(frame_, shading_.surfaces, tile_, tiles_x_, setup_.attributes, worker.records,
+    RecordMaker maker(frame_, shading_.surfaces, tile_, tiles_x_, setup_, worker.records,
                       worker.events);
-    for (const SpecialTriangle& special : worker.setup.special)
-        maker.add_triangle(special.object, special.triangle);
+    for (const SpecialFace& special : worker.setup.special)
+        maker.add(special.object, special.triangle);
 }
 
 // ---- tiles
@@ -184,7 +178,7 @@ bool Engine::Pass::left_empty(std::size_t tile) const {
            std::all_of(state_.workers.begin(), state_.workers.end(), [&](const EngineWorker& w) {
                return w.setup.tiny.empty(tile) && w.setup.small.empty(tile) &&
                       w.setup.medium.empty(tile) && w.setup.fragments.empty(tile) &&
-                      w.records.lists.empty(tile);
+                      w.setup.quads.empty(tile) && w.records.lists.empty(tile);
            });
 }
 
@@ -287,22 +281,19 @@ void Engine::Pass::raster_tile(std::size_t number, int x, int y, TileBuffer& til
                 raster_record_in(list, state_.first_record[w] + records[i], x, y, tile);
         });
     }
-    for (const EngineWorker& worker : state_.workers)
-        worker.setup.medium.each(number, [&](const std::uint32_t* refs, std::uint32_t count) {
-            raster_medium(view, x, y, refs, count, tile);
-        });
-    for (const EngineWorker& worker : state_.workers)
-        worker.setup.tiny.each(number, [&](const std::uint32_t* refs, std::uint32_t count) {
-            raster_tiny(view, x, y, refs, count, tile);
-        });
-    for (const EngineWorker& worker : state_.workers)
-        worker.setup.small.each(number, [&](const std::uint32_t* refs, std::uint32_t count) {
-            raster_small(view, x, y, refs, count, tile);
-        });
-    for (const EngineWorker& worker : state_.workers)
-        worker.setup.fragments.each(number, [&](const std::uint32_t* runs, std::uint32_t count) {
-            raster_fragments(view, x, y, runs, count, tile);
-        });
+    using DrawRefs = void (*)(const RasterView&, int, int, const std::uint32_t*, std::uint32_t,
+                              TileBuffer&);
+    const auto draw = [&](TileLists SetupWorker::*list, DrawRefs refs_into) {
+        for (const EngineWorker& worker : state_.workers)
+            (worker.setup.*list).each(number, [&](const std::uint32_t* refs, std::uint32_t count) {
+                refs_into(view, x, y, refs, count, tile);
+            });
+    };
+    draw(&SetupWorker::medium, raster_medium);
+    draw(&SetupWorker::tiny, raster_tiny);
+    draw(&SetupWorker::small, raster_small);
+    draw(&SetupWorker::quads, raster_quads);
+    draw(&SetupWorker::fragments, raster_fragments);
     complete_tile(view, x, y, tile);
 }
 

@@ -65,15 +65,20 @@ private:
     alignas(64) float position_[3][capacity] = {}, normal_[3][capacity] = {}, albedo_[capacity];
 };
 
-EngineLight::EngineLight(const TileShading& shading, const EngineScene& scene, BatchStore& batches,
+EngineLight::EngineLight(const TileShading& shading, const EngineScene& scene, const Stores& stores,
                          std::vector<Record>& records, EngineLightMemory& memory)
-    : shading_(shading), scene_(scene), batches_(batches), records_(records), memory_(memory) {}
+    : shading_(shading),
+      scene_(scene),
+      records_(records),
+      memory_(memory),
+      kinds_{{*stores.batches, shading.resolve.attributes, 3, memory.seen_triangle},
+             {*stores.quads, shading.resolve.quad_attributes, 4, memory.seen_quad}} {}
 
 void EngineLight::reset() {
     memory_.objects.resize(scene_.objects.size());
     for (std::size_t i = 0; i < scene_.objects.size(); ++i)
         if (concerns(static_cast<std::uint32_t>(i))) reset_object(i);
-    memory_.seen_triangle.assign(batches_.used() * batches_.lanes(), 0);
+    for (const Lit& lit : kinds_) lit.seen.assign(lit.store.used() * lit.store.lanes(), 0);
     memory_.seen_record.assign(records_.size(), 0);
 }
 
@@ -113,6 +118,8 @@ void EngineLight::see(const TileBuffer& tile) {
             if (ref == no_ref || (ref & fragment_bit) != 0) continue;
             if ((ref & record_bit) != 0)
                 note(memory_.seen_record[ref & ~record_bit]);
+            else if ((ref & quad_bit) != 0)
+                note(memory_.seen_quad[ref & ~quad_bit]);
             else
                 note(memory_.seen_triangle[ref]);
         }
@@ -120,22 +127,22 @@ void EngineLight::see(const TileBuffer& tile) {
 }
 
 void EngineLight::see_all() {
-    std::fill(memory_.seen_triangle.begin(), memory_.seen_triangle.end(), std::uint8_t{1});
+    for (const Lit& lit : kinds_) std::fill(lit.seen.begin(), lit.seen.end(), std::uint8_t{1});
     std::fill(memory_.seen_record.begin(), memory_.seen_record.end(), std::uint8_t{1});
 }
 
-void EngineLight::mark_vertices(std::uint32_t number) {
-    const BatchInfo& info = batches_.info(number);
-    const std::uint32_t lanes = batches_.lanes();
-    const auto* packed = reinterpret_cast<const std::uint32_t*>(batches_.batch(number)) +
+void EngineLight::mark_vertices(const Lit& lit, std::uint32_t number) {
+    const BatchInfo& info = lit.store.info(number);
+    const std::uint32_t lanes = lit.store.lanes();
+    const auto* packed = reinterpret_cast<const std::uint32_t*>(lit.store.batch(number)) +
                          std::size_t(row_corners) * lanes;
     const ClusteredMesh& mesh = *scene_.objects[info.object].mesh;
     std::uint8_t* needed =
         memory_.objects[info.object].needed.data() + mesh.clusters[info.cluster].first_vertex;
     for (std::uint32_t lane = 0; lane < info.count; ++lane) {
-        if (seen(number)[lane] == 0) continue;
+        if (lit.seen_in(number)[lane] == 0) continue;
         std::uint8_t* side = needed + ((packed[lane] & back_bit) != 0 ? mesh.x.size() : 0);
-        for (int k = 0; k < 3; ++k)
+        for (int k = 0; k < lit.corners; ++k)
             note(side[packed[lane] >> (k * corner_bits) & (max_cluster_vertices - 1)]);
     }
 }
@@ -177,45 +184,48 @@ EngineLight::Counts EngineLight::light_cluster(std::size_t object, std::size_t n
     return counts;
 }
 
-void EngineLight::fill(std::uint32_t number) {
-    const BatchInfo& info = batches_.info(number);
+void EngineLight::fill(const Lit& lit, std::uint32_t number) {
+    const BatchInfo& info = lit.store.info(number);
     const ClusteredMesh& mesh = *scene_.objects[info.object].mesh;
-    const EngineLitObject& lit = memory_.objects[info.object];
-    const Attributes& at = shading_.resolve.attributes;
+    const EngineLitObject& object = memory_.objects[info.object];
     const auto fill = [&](const std::vector<float>(&radiance)[3], int to) {
-        fill_lit(batches_.batch(number), at.main, to,
-                 {{radiance[0].data(), radiance[1].data(), radiance[2].data()},
-                  mesh.clusters[info.cluster].first_vertex,
-                  static_cast<std::uint32_t>(mesh.x.size())});
+        const VertexLight light = {{radiance[0].data(), radiance[1].data(), radiance[2].data()},
+                                   mesh.clusters[info.cluster].first_vertex,
+                                   static_cast<std::uint32_t>(mesh.x.size())};
+        if (lit.corners == 4)
+            fill_quads_lit(lit.store.batch(number), to, light);
+        else
+            fill_lit(lit.store.batch(number), lit.at.main, to, light);
     };
     // The radiance takes the place of the weights.
-    if (shading_.frame.plan.texture) fill(lit.dark, at.dark);
-    fill(lit.radiance, at.main);
+    if (shading_.frame.plan.texture) fill(object.dark, lit.at.dark);
+    fill(object.radiance, lit.at.main);
 }
 
-/// The faces of a batch's triangles, straight into its rows.
-void EngineLight::light_faces(std::uint32_t number, Points& points, EventCounts& events) {
-    const BatchInfo& info = batches_.info(number);
+/// The faces that a batch shows, straight into its rows.
+void EngineLight::light_faces(const Lit& lit, std::uint32_t number, Points& points,
+                              EventCounts& events) {
+    const BatchInfo& info = lit.store.info(number);
     const Mesh& mesh = *shading_.frame.scene.objects[info.object].mesh;
-    const EngineLitObject& lit = memory_.objects[info.object];
+    const EngineLitObject& object = memory_.objects[info.object];
     FaceArrays faces{};
     for (int c = 0; c < 3; ++c) {
-        faces.centre[c] = lit.centre[c].data();
-        faces.normal[c] = lit.normal[c].data();
+        faces.centre[c] = object.centre[c].data();
+        faces.normal[c] = object.normal[c].data();
     }
     faces.triangle_face = mesh.triangle_face.data();
     faces.first_triangle = shading_.frame.plan.objects[info.object].first_triangle;
     faces.triangle_count = std::uint32_t(mesh.triangle_count());
-    place_faces(batches_.batch(number), faces, points.at(0));
+    place_faces(lit.store.batch(number), faces, points.at(0));
     const auto light = [&](int row, float albedo) {
         const auto to = [&](int c) {
-            return batches_.batch(number) + std::size_t(row + 3 * c) * batches_.lanes();
+            return lit.store.batch(number) +
+                   std::size_t(row + lit.at.stride * c) * lit.store.lanes();
         };
         points.light(shading_, info.material, info.count, albedo, {to(0), to(1), to(2)}, events);
     };
-    const Attributes& at = shading_.resolve.attributes;
-    light(at.main, 1);
-    if (shading_.frame.plan.texture) light(at.dark, 0);
+    light(lit.at.main, 1);
+    if (shading_.frame.plan.texture) light(lit.at.dark, 0);
 }
 
 void EngineLight::light_record(Record& r, EventCounts& events) const {
@@ -223,15 +233,18 @@ void EngineLight::light_record(Record& r, EventCounts& events) const {
     const Mesh& mesh = *shading_.frame.scene.objects[r.object].mesh;
     const ResolvedMaterial& material = shading_.frame.plan.materials[r.material];
     const float side = r.back ? -1.0f : 1.0f;
+    const std::uint32_t face = mesh.triangle_face[r.triangle];
+    std::span<const std::uint32_t> corners = mesh.triangle[r.triangle];
+    if (r.depth == Record::Depth::spans)
+        corners = std::span(mesh.corner).subspan(mesh.face_begin[face], 4);
     Batch<float> points;
     points.vectors = true;
     if (shading_.objects[r.object].shading == Shading::flat) {
-        const std::uint32_t face = mesh.triangle_face[r.triangle];
         points.push(to_vec3<float>(surface.face_centre(face)),
                     to_vec3<float>(surface.face_normal(face)) * side, 0);
     } else {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t v = mesh.triangle[r.triangle][k];
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+            const std::uint32_t v = corners[k];
             points.push(to_vec3<float>(surface.vertex_position(v)),
                         to_vec3<float>(surface.vertex_normal(v)) * side, k);
         }
@@ -245,61 +258,72 @@ void EngineLight::light_record(Record& r, EventCounts& events) const {
             for (int c = 0; c < 3; ++c)
                 (albedo > 0 ? r.main : r.dark)[k][c] = points.radiance[c][k];
     }
-    if (r.depth == Record::Depth::plane) fill_planes(r);
+    if (r.depth == Record::Depth::plane || r.depth == Record::Depth::spans) fill_rows(r);
 }
 
-/// Radiance of a planar record where resolve looks for it: planes, or one value of a flat face.
-void EngineLight::fill_planes(Record& r) const {
-    const Attributes& at = shading_.resolve.attributes;
+/// Radiance where resolve looks for it: planes, corners, or one value of a flat face.
+void EngineLight::fill_rows(Record& r) const {
+    const bool whole = r.depth == Record::Depth::spans;
+    const Attributes& at = kinds_[whole ? 1 : 0].at;
     const bool flat = shading_.objects[r.object].shading == Shading::flat;
-    const auto fill = [&](int row, const float(&value)[3][3]) {
-        for (int c = 0; c < 3 && row >= 0; ++c)
+    const auto fill = [&](int from, const float(&value)[4][3]) {
+        for (int c = 0; c < 3 && from >= 0; ++c) {
+            const int row = from + at.stride * c;
             if (flat)
-                r.rows[row + 3 * c] = value[0][c];
+                r.rows[row] = value[0][c];
+            else if (whole)
+                for (int k = 0; k < 4; ++k) r.rows[row + k] = value[r.order[k]][c];
             else
-                set_plane(r, row + 3 * c, value[0][c], value[1][c], value[2][c]);
+                set_plane(r, row, value[0][c], value[1][c], value[2][c]);
+        }
     };
     fill(at.main, r.main);
     fill(at.dark, r.dark);
 }
 
-/// Calls work(batch, points, events) for the batches of that shading that show anything.
+/// Calls work(kind, batch, points, events) for the batches of that shading that show anything.
 template <class Work>
 EngineLight::Counts EngineLight::each_batch(Shading shading, EventCounts& events, Work&& work) {
     std::mutex mutex;
     Counts counts;
-    const auto lanes = std::ptrdiff_t(batches_.lanes());
-    parallel_for(batches_.used(), 64, shading_.frame.plan.threads,
-                 [&](std::size_t begin, std::size_t end, int) {
-                     EventCounts own;
-                     Counts own_counts;
-                     Points points;
-                     for (auto b = std::uint32_t(begin); b < end; ++b) {
-                         const BatchInfo& info = batches_.info(b);
-                         if (info.count == 0 || !concerns(info.object) ||
-                             shading_.objects[info.object].shading != shading)
-                             continue;
-                         const auto shown = std::uint64_t(std::count(seen(b), seen(b) + lanes, 1));
-                         own_counts += {shown, info.count};
-                         if (shown > 0) work(b, points, own);
-                     }
-                     const std::lock_guard lock(mutex);
-                     events += own;
-                     counts += own_counts;
-                 });
+    for (const Lit& lit : kinds_)
+        parallel_for(
+            lit.store.used(), 64, shading_.frame.plan.threads,
+            [&](std::size_t begin, std::size_t end, int) {
+                EventCounts own;
+                Counts own_counts;
+                Points points;
+                for (auto b = std::uint32_t(begin); b < end; ++b) {
+                    const BatchInfo& info = lit.store.info(b);
+                    if (info.count == 0 || !concerns(info.object) ||
+                        shading_.objects[info.object].shading != shading)
+                        continue;
+                    const std::uint8_t* seen = lit.seen_in(b);
+                    const auto shown = std::uint64_t(std::count(seen, seen + lit.store.lanes(), 1));
+                    own_counts += {shown, info.count};
+                    if (shown > 0) work(lit, b, points, own);
+                }
+                const std::lock_guard lock(mutex);
+                events += own;
+                counts += own_counts;
+            });
     return counts;
 }
 
 EngineLight::Counts EngineLight::light(EventCounts& events) {
     Counts counts = each_batch(
         Shading::flat, events,
-        [&](std::uint32_t b, Points& points, EventCounts& own) { light_faces(b, points, own); });
-    each_batch(Shading::gouraud, events,
-               [&](std::uint32_t b, Points&, EventCounts&) { mark_vertices(b); });
+        [&](const Lit& lit, std::uint32_t b, Points& points, EventCounts& own) {
+            light_faces(lit, b, points, own);
+        });
+    each_batch(
+        Shading::gouraud, events,
+        [&](const Lit& lit, std::uint32_t b, Points&, EventCounts&) { mark_vertices(lit, b); });
     for (std::size_t object = 0; object < scene_.objects.size(); ++object)
         if (concerns(std::uint32_t(object)) && shading_.objects[object].shading == Shading::gouraud)
             counts += light_vertices(object, events);
-    each_batch(Shading::gouraud, events, [&](std::uint32_t b, Points&, EventCounts&) { fill(b); });
+    each_batch(Shading::gouraud, events,
+               [&](const Lit& lit, std::uint32_t b, Points&, EventCounts&) { fill(lit, b); });
     for (std::size_t r = 0; r < records_.size(); ++r)
         if (memory_.seen_record[r] != 0 && concerns(records_[r].object) &&
             records_[r].depth != Record::Depth::scalar)

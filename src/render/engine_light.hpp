@@ -20,14 +20,17 @@ struct EngineLitObject {
 
 struct EngineLightMemory {
     std::vector<EngineLitObject> objects;
-    std::vector<std::uint8_t> seen_triangle;  // [batch · lanes + lane]
+    std::vector<std::uint8_t> seen_triangle, seen_quad;  // [batch · lanes + lane]
     std::vector<std::uint8_t> seen_record;
 };
 
 /// Collects what is seen, lights it once, and hands the radiance to batches and records.
 class EngineLight {
 public:
-    EngineLight(const TileShading& shading, const EngineScene& scene, BatchStore& batches,
+    struct Stores {
+        BatchStore *batches, *quads;
+    };
+    EngineLight(const TileShading& shading, const EngineScene& scene, const Stores& stores,
                 std::vector<Record>& records, EngineLightMemory& memory);
 
     /// Nothing is seen yet.
@@ -51,27 +54,34 @@ public:
 
 private:
     class Points;
+    /// Batches of triangles, or of quadrilaterals.
+    struct Lit {
+        BatchStore& store;
+        const Attributes& at;
+        int corners;
+        std::vector<std::uint8_t>& seen;
+
+        const std::uint8_t* seen_in(std::uint32_t batch) const {
+            return seen.data() + std::size_t(batch) * store.lanes();
+        }
+    };
     template <class Work>
     Counts each_batch(Shading shading, EventCounts& events, Work&& work);
     void reset_object(std::size_t object);
-    void mark_vertices(std::uint32_t batch);
+    void mark_vertices(const Lit& lit, std::uint32_t batch);
     Counts light_cluster(std::size_t object, std::size_t cluster, Points& points,
                          EventCounts& events);
     Counts light_vertices(std::size_t object, EventCounts& events);
-    void light_faces(std::uint32_t batch, Points& points, EventCounts& events);
-    void fill(std::uint32_t batch);
+    void light_faces(const Lit& lit, std::uint32_t batch, Points& points, EventCounts& events);
+    void fill(const Lit& lit, std::uint32_t batch);
     void light_record(Record& record, EventCounts& events) const;
-    void fill_planes(Record& record) const;
-
-    const std::uint8_t* seen(std::uint32_t batch) const {
-        return memory_.seen_triangle.data() + std::size_t(batch) * batches_.lanes();
-    }
+    void fill_rows(Record& record) const;
 
     const TileShading& shading_;
     const EngineScene& scene_;
-    BatchStore& batches_;
     std::vector<Record>& records_;
     EngineLightMemory& memory_;
+    const Lit kinds_[2];
 };
 
 }  // namespace scanshade

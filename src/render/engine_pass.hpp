@@ -29,7 +29,7 @@ struct Engine::State {
 
     EngineScene scene;
     std::vector<EngineWorker> workers;
-    BatchStore batches, fragments;
+    BatchStore batches, fragments, quads;
     std::vector<Record> records;                     // of all workers
     std::vector<std::uint32_t> first_record;         // [worker]
     std::vector<std::unique_ptr<TileBuffer>> tiles;  // where light comes between depth and samples
@@ -50,6 +50,7 @@ public:
 private:
     // engine_views.cpp: what all kernels read
     void make_setup_view();
+    Attributes make_attributes(int first, int stride) const;
     void make_objects();
     void make_resolve_view();
     void make_lights();
@@ -60,9 +61,8 @@ private:
     // set-up
     void reset_workers();
     void reset_batches();
-    bool by_faces(std::size_t object) const;
-    void add_faces(std::size_t object);
     void set_up_cluster(std::size_t object, std::size_t cluster, EngineWorker& worker);
+    void leave_out_polygons();
     void make_records(EngineWorker& worker);
 
     // tiles

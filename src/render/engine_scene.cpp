@@ -53,9 +53,26 @@ bool normals_disagree(const EngineObject& object, const Cluster& cluster) {
     return false;
 }
 
-EngineObject make_object(const Object& object) {
+/// From the mesh's own units to the world.
+struct MeshMap {
+    explicit MeshMap(const Object& object)
+        : linear(glm::dmat3(object.to_world) * object.mesh->unit),
+          origin(glm::dmat3(object.to_world) * object.mesh->origin +
+                 glm::dvec3(object.to_world[3])) {}
+    glm::dmat3 linear;
+    glm::dvec3 origin;
+};
+
+std::vector<ClusterBounds> bounds_of(const ClusteredMesh& mesh, const MeshMap& map) {
+    std::vector<ClusterBounds> bounds;
+    for (const Cluster& cluster : mesh.clusters)
+        bounds.push_back(world_bounds(cluster, map.linear, map.origin));
+    return bounds;
+}
+
+EngineObject make_object(const Object& object, Interpolation interpolation) {
     EngineObject out{};
-    out.mesh = &clusters_of(*object.mesh);
+    out.mesh = &clusters_of(*object.mesh, draws_whole(interpolation));
     const ObjectSurface surface(object);
     const std::size_t slots = out.mesh->x.size();
     for (auto& axis : out.normal) axis.reserve(slots);
@@ -65,37 +82,39 @@ EngineObject make_object(const Object& object) {
     }
     for (const Cluster& cluster : out.mesh->clusters)
         out.normals_disagree.push_back(normals_disagree(out, cluster));
-    const glm::dmat3 linear = glm::dmat3(object.to_world) * object.mesh->unit;
-    const glm::dvec3 origin =
-        glm::dmat3(object.to_world) * object.mesh->origin + glm::dvec3(object.to_world[3]);
+    const MeshMap map(object);
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column)
-            out.to_world[row][column] = float(linear[column][row]);
-        out.to_world[row][3] = float(origin[row]);
+            out.to_world[row][column] = float(map.linear[column][row]);
+        out.to_world[row][3] = float(map.origin[row]);
     }
-    for (const Cluster& cluster : out.mesh->clusters)
-        out.bounds.push_back(world_bounds(cluster, linear, origin));
+    out.bounds = bounds_of(*out.mesh, map);
     return out;
+}
+
+/// From the light to the nearest sphere around triangles; those of faces of any number of corners.
+double distance_to(const Light& light, const std::vector<ClusterBounds>& bounds) {
+    double distance = INFINITY;
+    if (light.kind == LightKind::directional) return distance;
+    for (const ClusterBounds& b : bounds)
+        distance = std::min(distance, glm::distance(light.position, glm::dvec3(b.centre)) -
+                                          double(b.radius));
+    return distance;
 }
 
 }  // namespace
 
-EngineScene::EngineScene(const Scene& scene) : nearest_light(INFINITY) {
+EngineScene::EngineScene(const Scene& scene, Interpolation interpolation)
+    : nearest_light(INFINITY) {
+    light_distance.assign(scene.lights.size(), INFINITY);
     for (const Object& object : scene.objects) {
-        objects.push_back(make_object(object));
-        clusters += objects.back().bounds.size();
+        objects.push_back(make_object(object, interpolation));
+        const auto bounds = bounds_of(clusters_of(*object.mesh), MeshMap(object));
+        for (std::size_t i = 0; i < scene.lights.size(); ++i)
+            light_distance[i] =
+                std::min(light_distance[i], std::max(distance_to(scene.lights[i], bounds), 0.0));
     }
-    for (const Light& light : scene.lights) {
-        double distance = INFINITY;
-        for (const EngineObject& object : objects)
-            for (const ClusterBounds& b : object.bounds)
-                if (light.kind != LightKind::directional)
-                    distance =
-                        std::min(distance, glm::distance(light.position, glm::dvec3(b.centre)) -
-                                               double(b.radius));
-        light_distance.push_back(std::max(distance, 0.0));
-        nearest_light = std::min(nearest_light, light_distance.back());
-    }
+    for (const double distance : light_distance) nearest_light = std::min(nearest_light, distance);
 }
 
 }  // namespace scanshade

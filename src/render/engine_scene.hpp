@@ -27,10 +27,9 @@ struct EngineObject {
 };
 
 struct EngineScene {
-    explicit EngineScene(const Scene& normalised_scene);
+    EngineScene(const Scene& normalised_scene, Interpolation interpolation);
 
     std::vector<EngineObject> objects;
-    std::size_t clusters = 0;
     /// Least distance of each light to the clusters' spheres, ≥ 0; infinite for directional ones.
     std::vector<double> light_distance;
     double nearest_light;  // the least of them

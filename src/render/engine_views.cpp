@@ -32,20 +32,28 @@ void Engine::Pass::make_setup_view() {
     setup_.affine = view.orthographic || plan.interpolation == Interpolation::edges;
     setup_.cull_back = plan.cull == Cull::back;
 
+    setup_.attributes = make_attributes(row_attributes, 3);
+    setup_.quad_attributes = make_attributes(row_quad_attributes, 4);
+}
+
+/// Offsets of what something reads, from row `first` on.
+Attributes Engine::Pass::make_attributes(int first, int stride) const {
+    const RenderPlan& plan = frame_.plan;
     const bool points = plan.vertex_light || plan.face_light;
     const bool position =
         !(leaves_out(PlanRow::positions) && !plan.position_read) && !position_from_depth();
-    Attributes& at = setup_.attributes;
-    const auto take = [&](bool needed, int& offset, int planes) {
+    Attributes at{stride, first};
+    const auto take = [&](bool needed, int& offset, int values) {
         if (!needed) return;
         offset = at.rows;
-        at.rows += 3 * planes;
+        at.rows += stride * values;
     };
     const bool all_unlit = plan.unlit_materials == plan.used_materials;
     take(points || !all_unlit || !leaves_out(PlanRow::normals), at.main, 3);
     take(plan.texture || !leaves_out(PlanRow::texcoords), at.texcoord, 2);
     take(plan.texture && points, at.dark, 3);
     take(position, at.position, 3);
+    return at;
 }
 
 void Engine::Pass::make_objects() {
@@ -83,10 +91,12 @@ void Engine::Pass::make_objects() {
 void Engine::Pass::make_resolve_view() {
     ResolveView& resolve = shading_.resolve;
     const View& view = frame_.view;
-    resolve.raster = {&state_.batches, &state_.fragments, nullptr,           frame_.sample.x,
-                      frame_.sample.y, view.width,        view.height,       tile_,
-                      view.near,       view.far,          view.orthographic, false};
+    resolve.raster = {&state_.batches,   &state_.fragments, &state_.quads, nullptr,
+                      frame_.sample.x,   frame_.sample.y,   view.width,    view.height,
+                      tile_,             view.near,         view.far,      view.orthographic,
+                      false};
     resolve.attributes = setup_.attributes;
+    resolve.quad_attributes = setup_.quad_attributes;
     resolve.affine = setup_.affine;
     resolve.sample_spacing = 1.0f / static_cast<float>(frame_.plan.samples_side);
     const bool needed = !(leaves_out(PlanRow::positions) && !frame_.plan.position_read);

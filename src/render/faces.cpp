@@ -144,6 +144,39 @@ bool measure_triangle(const Frame& frame, DrawnFace& face) {
 
 }  // namespace
 
+namespace {
+
+/// The quadrilateral in float, where that serves. All corners are within the guard band.
+void measure_quad(const Frame& frame, bool positive, DrawnFace& face) {
+    SnappedPoint p[4];
+    for (std::uint8_t k = 0; k < 4; ++k) {
+        face.clockwise[k] = std::uint8_t(positive ? k : (4 - k) % 4);
+        p[k] = face.state[face.clockwise[k]].point;
+    }
+    face.box = sample_box(p, frame.sample, frame.view.width, frame.view.height);
+    if (face.box.empty()) return;
+    const int ox = face.box.origin_x(), oy = face.box.origin_y();
+    float turn[4], nearest = 0, farthest = INFINITY;
+    SnappedPoint low = p[0], high = p[0];
+    for (int k = 0; k < 4; ++k) {
+        turn[k] = static_cast<float>(edge_function(p[(k + 3) % 4], p[k], p[(k + 1) % 4]));
+        low = {std::min(low.x, p[k].x), std::min(low.y, p[k].y)};
+        high = {std::max(high.x, p[k].x), std::max(high.y, p[k].y)};
+        ScreenQuad<float>& q = face.quad;
+        q.x[k] = float(p[k].x - (ox * subpixels + frame.sample.x)) / subpixels;
+        q.y[k] = float(p[k].y - (oy * subpixels + frame.sample.y)) / subpixels;
+        q.z[k] = face.state[face.clockwise[k]].depth;
+        nearest = std::max(nearest, q.z[k]), farthest = std::min(farthest, q.z[k]);
+    }
+    for (int k = 0; k < 4; ++k)
+        face.quad.per_height[k] = per_height(face.quad.y[(k + 1) % 4] - face.quad.y[k]);
+    face.quad_serves = quads_serve(nearest, farthest, turn, float(face.box.x1 - ox),
+                                   float(face.box.y1 - oy), float(high.x - low.x),
+                                   float(high.y - low.y), steepest_weight(frame.plan));
+}
+
+}  // namespace
+
 void describe_triangle(const Frame& frame, std::size_t object, std::uint32_t triangle,
                        DrawnFace& out) {
     const Mesh& mesh = *frame.scene.objects[object].mesh;
@@ -153,7 +186,7 @@ void describe_triangle(const Frame& frame, std::size_t object, std::uint32_t tri
     out.vertex = mesh.triangle[triangle];
     load_corners(frame, out);
     out.carrier = out.outside == 0 ? Carrier::triangle : Carrier::clipped;
-    out.planar = false;
+    out.planar = out.quad_serves = false;
     if (out.empty) return;
     bool positive;
     if (out.carrier == Carrier::triangle) {
@@ -177,12 +210,13 @@ void describe_whole(const Frame& frame, std::size_t object, std::size_t face, Dr
     out.vertex = face_vertices(mesh, face);
     load_corners(frame, out);
     out.carrier = Carrier::polygon;
-    out.planar = false;
+    out.planar = out.quad_serves = false;
     out.corner.clear();
     for (const VertexState& vertex : out.state)
         out.corner.push_back(picture_corner(frame.view, vertex));
     const bool positive = polygon_area(out.corner) > 0;
     out.back = positive != frame.object_views[object].mirrored;
+    if (out.corner.size() == 4 && out.outside == 0) measure_quad(frame, positive, out);
 }
 
 void describe_drawn(const Frame& frame, std::uint32_t id, DrawnFace& out) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kernels/screen_plane.hpp"
+#include "kernels/screen_quad.hpp"
 #include "render/frame.hpp"
 
 namespace scanshade {
@@ -65,9 +66,10 @@ struct DrawnFace {
     bool back = false;                      // seen from behind
     bool empty = false;                     // outside the view, or no area once snapped
 
+    SampleBox box;  // of its samples, unless clipped
+
     // triangle
     SnappedPoint point[3];
-    SampleBox box;
     double inv_area = 0;                // 1/2A, of either sign
     std::uint8_t order[3] = {0, 1, 2};  // corners from the top, the order of sums: coincident
                                         // triangles have equal depth to the bit
@@ -75,7 +77,12 @@ struct DrawnFace {
     ScreenPlane<float> depth{};         // of a planar triangle, from the box's origin
 
     HomogeneousEdges edges{};           // clipped
-    std::vector<PictureCorner> corner;  // polygon
+
+    // polygon
+    std::vector<PictureCorner> corner;
+    bool quad_serves = false;   // depth is that of `quad`, else (C3) with differences in double
+    ScreenQuad<float> quad{};   // from the box's origin
+    std::uint8_t clockwise[4];  // the corners in its order
 };
 
 /// Whether `edges` draws this face of more than three corners whole: strictly convex on the

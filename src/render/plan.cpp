@@ -37,7 +37,8 @@ void plan_objects(const Scene& scene, const Settings& settings, RenderPlan& plan
         plan.triangles += object.mesh->triangle_count();
         plan.vertices += object.mesh->vertex_count();
         if (plan.renderer == RendererKind::simd)
-            plan.clusters += clusters_of(*object.mesh).clusters.size();
+            plan.clusters +=
+                clusters_of(*object.mesh, draws_whole(plan.interpolation)).clusters.size();
         const bool drawn = object.mesh->triangle_count() > 0;
         if (shading != Shading::phong)
             plan.points +=

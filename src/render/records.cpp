@@ -10,25 +10,25 @@ namespace scanshade {
 
 void RecordMaker::add_triangle(std::size_t object, std::uint32_t triangle) {
     describe_triangle(frame_, object, triangle, face_);
-    add();
+    add_drawn();
 }
 
-void RecordMaker::add_face(std::size_t object, std::size_t face) {
+void RecordMaker::add(std::size_t object, std::uint32_t triangle) {
     const Mesh& mesh = *frame_.scene.objects[object].mesh;
-    if (mesh.corner_count(face) > 3) {
-        if (drawn_whole(frame_, object, face)) {
-            describe_whole(frame_, object, face, face_);
-            add();
-            return;
-        }
-        events_.add(Event::edges_fallback);
+    const std::uint32_t face = mesh.triangle_face[triangle];
+    if (!draws_whole(frame_.plan.interpolation) || mesh.corner_count(face) == 3)
+        return add_triangle(object, triangle);
+    if (drawn_whole(frame_, object, face)) {
+        describe_whole(frame_, object, face, face_);
+        return add_drawn();
     }
+    events_.add(Event::edges_fallback);
     for (std::uint32_t t = mesh.face_first_triangle[face]; t < mesh.face_first_triangle[face + 1];
          ++t)
         add_triangle(object, t);
 }
 
-void RecordMaker::add() {
+void RecordMaker::add_drawn() {
     if (face_.empty) {
         if (face_.outside == 0) events_.add(Event::zero_area);
         return;
@@ -47,7 +47,7 @@ void RecordMaker::add() {
     r.affine = frame_.view.orthographic || frame_.plan.interpolation == Interpolation::edges;
     r.x0 = box.x0, r.y0 = box.y0, r.x1 = box.x1, r.y1 = box.y1;
     r.origin_x = box.origin_x(), r.origin_y = box.origin_y();
-    if (face_.carrier == Carrier::triangle) {
+    if (face_.carrier == Carrier::triangle || face_.quad_serves) {
         r.coverage = Record::Coverage::edges;
         describe_edges(r);
     } else {
@@ -63,12 +63,18 @@ void RecordMaker::add() {
 
 /// Edge functions turned so that they are ≥ 0 inside, with the top-left rule in the constant.
 void RecordMaker::describe_edges(Record& r) const {
-    const bool positive = face_.inv_area > 0;
+    // A quadrilateral's corners are clockwise here.
+    const bool positive = face_.quad_serves || face_.inv_area > 0;
+    const int n = face_.quad_serves ? 4 : 3;
+    const auto point = [&](int k) {
+        return face_.quad_serves ? face_.state[face_.clockwise[k % 4]].point : face_.point[k % 3];
+    };
+    r.edge_count = n;
     const SnappedPoint origin = {r.origin_x * subpixels + frame_.sample.x,
                                  r.origin_y * subpixels + frame_.sample.y};
     const SnappedPoint corner = {frame_.sample.x, frame_.sample.y};
-    for (int k = 0; k < 3; ++k) {
-        const SnappedPoint from = face_.point[k], to = face_.point[(k + 1) % 3];
+    for (int k = 0; k < n; ++k) {
+        const SnappedPoint from = point(k), to = point(k + 1);
         const std::int64_t turn = positive ? 1 : -1;
         const std::int64_t A = turn * (from.y - to.y), B = turn * (to.x - from.x);
         const bool top_left = A > 0 || (A == 0 && B > 0);
@@ -76,22 +82,24 @@ void RecordMaker::describe_edges(Record& r) const {
         r.edge_y[k] = B;
         r.edge_c[k] =
             (turn * edge_function(from, to, origin) - (top_left ? 0 : 1)) >> subpixel_bits;
+        if (n == 4) continue;
         // λ of the corner opposite to the edge, with the sign that the area takes away again.
         const int opposite = (k + 2) % 3;
         r.weight_x[opposite] = double(std::int64_t(from.y - to.y) * subpixels);
         r.weight_y[opposite] = double(std::int64_t(to.x - from.x) * subpixels);
         r.weight_c[opposite] = double(edge_function(from, to, corner));
     }
-    r.inv_area = face_.inv_area;
+    r.inv_area = face_.inv_area;  // of a triangle
 }
 
 void RecordMaker::describe_depth(Record& r) const {
     r.nearest = INFINITY;
     r.farthest = 0;
-    if (face_.carrier == Carrier::polygon) {
+    if (face_.carrier == Carrier::polygon && !face_.quad_serves) {
         r.depth = Record::Depth::scalar;
         return;
     }
+    if (face_.quad_serves) return describe_quad(r);
     for (std::size_t i = 0; i < 3; ++i) {
         r.order[i] = face_.order[i];
         r.corner_depth[i] = face_.state[i].depth;
@@ -113,6 +121,24 @@ void RecordMaker::describe_depth(Record& r) const {
     const auto [low, high] = std::minmax_element(r.corner_depth, r.corner_depth + 3);
     r.nearest = *high * (1 + 0x1p-20f);
     r.farthest = *low * (1 - 0x1p-20f);
+}
+
+/// What set-up gives a quadrilateral of a batch.
+void RecordMaker::describe_quad(Record& r) const {
+    const ScreenQuad<float>& q = face_.quad;
+    r.depth = Record::Depth::spans;
+    r.rows[row_origin_x] = static_cast<float>(r.origin_x);
+    r.rows[row_origin_y] = static_cast<float>(r.origin_y);
+    std::copy_n(q.x, 4, r.rows + row_quad_x);
+    std::copy_n(q.y, 4, r.rows + row_quad_y);
+    std::copy_n(q.per_height, 4, r.rows + row_quad_per_height);
+    std::copy_n(q.z, 4, r.rows + row_quad_depth);
+    std::copy_n(face_.clockwise, 4, r.order);
+    // A span's slope may go on beyond its ends by what the crossings are rounded by.
+    const auto [low, high] = std::minmax_element(q.z, q.z + 4);
+    const float room = (*high - *low) * 0x1p-6f;
+    r.nearest = (*high + room) * (1 + 0x1p-20f);
+    r.farthest = (*low - room) * (1 - 0x1p-20f);
 }
 
 void set_plane(Record& r, int row, float a0, float a1, float a2) {
@@ -139,6 +165,7 @@ void RecordMaker::describe_planes(Record& r) const {
 }
 
 void RecordMaker::describe_values(Record& r) const {
+    if (r.depth == Record::Depth::spans) return describe_corners(r);
     const ObjectSurface& surface = surfaces_[face_.object];
     const Mesh& mesh = *frame_.scene.objects[face_.object].mesh;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -165,6 +192,26 @@ void RecordMaker::describe_values(Record& r) const {
     planes(attributes_.main, 3, [&](int i, int c) { return r.main[i][c]; });
     planes(attributes_.texcoord, 2, [&](int i, int c) { return r.texcoord[i][c]; });
     planes(attributes_.position, 3, [&](int i, int c) { return r.position[i][c]; });
+}
+
+/// Values at a quadrilateral's corners.
+void RecordMaker::describe_corners(Record& r) const {
+    const ObjectSurface& surface = surfaces_[face_.object];
+    const Mesh& mesh = *frame_.scene.objects[face_.object].mesh;
+    glm::vec3 normal[4];
+    const auto put = [&](int row, int corner, const glm::vec3& value, int count) {
+        for (int c = 0; c < count && row >= 0; ++c) r.rows[row + 4 * c + corner] = value[c];
+    };
+    for (int k = 0; k < 4; ++k) {
+        const std::uint32_t v = face_.vertex[face_.clockwise[k]];
+        normal[k] = glm::vec3(surface.vertex_normal(v) * (face_.back ? -1.0 : 1.0));
+        put(quad_attributes_.main, k, normal[k], 3);
+        put(quad_attributes_.texcoord, k, {mesh.u[v], mesh.v[v], 0}, 2);
+        put(quad_attributes_.position, k, glm::vec3(surface.vertex_position(v)), 3);
+    }
+    for (int i = 0; i < 4; ++i)
+        for (int k = 0; k < i; ++k)
+            r.normals_disagree |= !(glm::dot(normal[i], normal[k]) > 0.1f);
 }
 
 void RecordMaker::put_into_tiles(const Record& r) {

@@ -33,31 +33,34 @@ class RecordMaker {
 public:
     /// Tiles of `tile` × `tile` samples, tiles_x of them in a row.
     RecordMaker(const Frame& frame, const std::vector<ObjectSurface>& surfaces, int tile,
-                int tiles_x, const Attributes& attributes, RecordList& into, EventCounts& events)
+                int tiles_x, const SetupView& setup, RecordList& into, EventCounts& events)
         : frame_(frame),
           surfaces_(surfaces),
           tile_(tile),
           tiles_x_(tiles_x),
-          attributes_(attributes),
+          attributes_(setup.attributes),
+          quad_attributes_(setup.quad_attributes),
           into_(into),
           events_(events) {}
 
-    void add_triangle(std::size_t object, std::uint32_t triangle);
-    /// A face of an object that `edges` draws whole where it can: polygon or triangles.
-    void add_face(std::size_t object, std::size_t face);
+    /// A triangle, or the face that it is the first of where `edges` draws faces whole.
+    void add(std::size_t object, std::uint32_t triangle);
 
 private:
-    void add();
+    void add_triangle(std::size_t object, std::uint32_t triangle);
+    void add_drawn();
     void describe_edges(Record& r) const;
     void describe_depth(Record& r) const;
     void describe_planes(Record& r) const;
+    void describe_quad(Record& r) const;
     void describe_values(Record& r) const;
+    void describe_corners(Record& r) const;
     void put_into_tiles(const Record& r);
 
     const Frame& frame_;
     const std::vector<ObjectSurface>& surfaces_;
     const int tile_, tiles_x_;
-    const Attributes& attributes_;
+    const Attributes &attributes_, &quad_attributes_;
     RecordList& into_;
     EventCounts& events_;
     DrawnFace face_;

@@ -30,7 +30,12 @@ float triangle_depth(const DrawnFace& face, SnappedPoint p, SampleOffset sample)
 }
 
 /// (C3) of the corners' depths.
-float polygon_depth(const DrawnFace& face, SnappedPoint p) {
+float polygon_depth(const DrawnFace& face, SnappedPoint p, SampleOffset sample) {
+    if (face.quad_serves) {
+        const int X = (p.x - sample.x) / subpixels - face.box.origin_x();
+        const int Y = (p.y - sample.y) / subpixels - face.box.origin_y();
+        return span_depth(quad_span(face.quad, float(Y)), float(X));
+    }
     const Place<float> at = polygon_place<float>(face.corner, p);
     const auto depth = [&](std::uint32_t corner) { return face.state[corner].depth; };
     return along_span(along_edge(depth(at.a), depth(at.b), at.a_y, at.b_y, at.y),
@@ -56,7 +61,7 @@ float depth_at(const DrawnFace& face, const Frame& frame, SnappedPoint p) {
         case Carrier::triangle:
             return triangle_depth(face, p, frame.sample);
         case Carrier::polygon:
-            return polygon_depth(face, p);
+            return polygon_depth(face, p, frame.sample);
         case Carrier::clipped:
             return clipped_depth(face, frame.view, p);
     }

@@ -23,10 +23,10 @@ void shuffle(std::vector<T>& values, Rng& rng) {
 
 /// Triangles of a cluster in another order.
 void shuffle_triangles(ClusteredMesh& mesh, const Cluster& cluster, Rng& rng) {
-    std::vector<std::uint32_t> order(cluster.triangle_count);
+    std::vector<std::uint32_t> order(cluster.face_count);
     std::iota(order.begin(), order.end(), 0u);
     shuffle(order, rng);
-    const auto first = [&](std::vector<std::uint32_t>& of) { return &of[cluster.first_triangle]; };
+    const auto first = [&](std::vector<std::uint32_t>& of) { return &of[cluster.first_face]; };
     std::uint32_t *const corners = first(mesh.corners), *const triangle = first(mesh.triangle);
     const std::vector<std::uint32_t> old_corners(corners, corners + order.size());
     const std::vector<std::uint32_t> old_triangle(triangle, triangle + order.size());

@@ -24,7 +24,7 @@ Triangle from_least(Triangle t) {
 
 /// A triangle slot's corners in the mesh.
 Triangle corners_of(const ClusteredMesh& mesh, const Cluster& cluster, std::uint32_t t) {
-    const std::uint32_t packed = mesh.corners[cluster.first_triangle + t];
+    const std::uint32_t packed = mesh.corners[cluster.first_face + t];
     Triangle out{};
     for (int k = 0; k < 3; ++k)
         out[std::size_t(k)] = mesh.vertex[cluster.first_vertex + (packed >> (k * corner_bits) &
@@ -39,15 +39,15 @@ glm::dvec3 position(const Mesh& mesh, std::uint32_t v) {
 /// What is wrong with a cluster's triangles; counts how often each of the mesh's is there.
 std::string check_triangles(const Mesh& mesh, const ClusteredMesh& clusters, const Cluster& cluster,
                             std::vector<int>& times) {
-    for (std::uint32_t t = 0; t < cluster.triangle_count; ++t) {
-        const std::uint32_t number = clusters.triangle[cluster.first_triangle + t];
+    for (std::uint32_t t = 0; t < cluster.face_count; ++t) {
+        const std::uint32_t number = clusters.triangle[cluster.first_face + t];
         if (number >= mesh.triangle_count()) return "a number that no triangle has";
         ++times[number];
         if (from_least(corners_of(clusters, cluster, t)) != from_least(mesh.triangle[number]))
             return "a triangle's corners are not the mesh's";
         if (mesh.face_material[mesh.triangle_face[number]] != cluster.material)
             return "a triangle of another material";
-        if (clusters.corners[cluster.first_triangle + t] >> number_shift != t)
+        if (clusters.corners[cluster.first_face + t] >> number_shift != t)
             return "a triangle's place is not its number";
     }
     return "";
@@ -56,10 +56,10 @@ std::string check_triangles(const Mesh& mesh, const ClusteredMesh& clusters, con
 /// What is wrong with a cluster's numbers and padding.
 std::string check_slots(const Mesh& mesh, const ClusteredMesh& clusters, const Cluster& cluster) {
     if (cluster.vertex_count == 0 || cluster.vertex_count > max_cluster_vertices ||
-        cluster.triangle_count == 0 || cluster.triangle_count > max_cluster_triangles)
+        cluster.face_count == 0 || cluster.face_count > max_cluster_triangles)
         return "too many or too few";
     if (cluster.first_vertex % cluster_padding != 0 ||
-        cluster.first_triangle % cluster_padding != 0)
+        cluster.first_face % cluster_padding != 0)
         return "does not begin on whole groups";
     for (std::uint32_t i = 0;
          i < (cluster.vertex_count + cluster_padding - 1) / cluster_padding * cluster_padding;
@@ -73,9 +73,9 @@ std::string check_slots(const Mesh& mesh, const ClusteredMesh& clusters, const C
             clusters.v[slot] != mesh.v[v])
             return "a slot is not its vertex";
     }
-    for (std::uint32_t t = cluster.triangle_count; t % cluster_padding != 0; ++t)
-        if (clusters.triangle[cluster.first_triangle + t] != no_index ||
-            clusters.corners[cluster.first_triangle + t] != 0)
+    for (std::uint32_t t = cluster.face_count; t % cluster_padding != 0; ++t)
+        if (clusters.triangle[cluster.first_face + t] != no_index ||
+            clusters.corners[cluster.first_face + t] != 0)
             return "triangles' padding has an area";
     return "";
 }
@@ -84,7 +84,7 @@ std::string check_slots(const Mesh& mesh, const ClusteredMesh& clusters, const C
 std::string check_bounds(const Mesh& mesh, const ClusteredMesh& clusters, const Cluster& cluster) {
     const glm::dvec3 centre(cluster.centre[0], cluster.centre[1], cluster.centre[2]);
     const glm::dvec3 axis(cluster.axis[0], cluster.axis[1], cluster.axis[2]);
-    for (std::uint32_t t = 0; t < cluster.triangle_count; ++t) {
+    for (std::uint32_t t = 0; t < cluster.face_count; ++t) {
         const Triangle corner = corners_of(clusters, cluster, t);
         const glm::dvec3 p[3] = {position(mesh, corner[0]), position(mesh, corner[1]),
                                  position(mesh, corner[2])};

@@ -19,6 +19,8 @@ namespace scanshade {
 
 enum class Shading { flat, gouraud, phong };             // where reflection is evaluated
 enum class Interpolation { perspective, edges, patch };  // how values travel inside a polygon
+/// Whether faces of more than three corners are drawn whole, not cut into triangles.
+constexpr bool draws_whole(Interpolation i) { return i == Interpolation::edges; }
 enum class RendererKind {
     simd,
     scalar_f32,
