@@ -42,23 +42,23 @@ constexpr int tile_index(int x, int y) {
 /// and planes count pixels from the face's origin. Those of faces in batches are exact in float: whole
 /// numbers below 2^24.
 enum BatchRow : int {
+    row_id,        // uint32: the (first) triangle in the whole scene
+    row_corners,   // uint32: as in ClusteredMesh, and back_bit where seen from behind
     row_origin_x,  // float, a multiple of 4
     row_origin_y,  // float
     row_extent,    // uint32: last block of the box, columns | rows << 16
-    row_id,        // uint32: the (first) triangle in the whole scene
-    row_corners,   // uint32: as in ClusteredMesh, and back_bit where seen from behind
-    row_edges,     // step of ⌊E/256⌋ a pixel to the right for each edge, then a pixel down for each,
-                   // then the value at the origin; the sample is inside where all are ≥ 0
+    row_edges,  // step of ⌊E/256⌋ a pixel to the right for each edge, then a pixel down for each,
+                // then the value at the origin; the sample is inside where all are ≥ 0
 
     // of triangles
     row_depth = row_edges + 3 * 3,  // 3: plane c, x, y
     row_attributes = row_depth + 3,
 
     // of quadrilaterals, see ScreenQuad
-    row_quad_x = row_edges + 3 * 4,             // 4
-    row_quad_y = row_quad_x + 4,                // 4
-    row_quad_per_height = row_quad_y + 4,       // 4
-    row_quad_depth = row_quad_per_height + 4,   // 4
+    row_quad_x = row_edges + 3 * 4,            // 4
+    row_quad_y = row_quad_x + 4,               // 4
+    row_quad_per_height = row_quad_y + 4,      // 4
+    row_quad_depth = row_quad_per_height + 4,  // 4
     row_quad_attributes = row_quad_depth + 4,
 };
 inline constexpr std::uint32_t back_bit = number_bit >> 1;
@@ -76,13 +76,14 @@ struct Attributes {
 inline constexpr int most_values = 3 + 3 + 2 + 3;
 inline constexpr int most_rows = row_quad_attributes + 4 * most_values;
 
-/// Rows of a batch of fragments: `lanes` samples of triangles too small to be worth planes.
+/// Rows of a batch of fragments: `lanes` samples of triangles too small to be worth planes. row_id and
+/// row_corners are those of the triangles.
 enum FragmentRow : int {
-    fragment_depth,
+    fragment_depth = row_corners + 1,
     fragment_at,      // uint32: index of the sample in its tile
-    fragment_id,      // uint32: the triangle in the whole scene
-    fragment_normal,  // 3: normal · z
-    fragment_rows = fragment_normal + 3,
+    fragment_values,  // 3: normal · z (Phong); weights of the corners, then radiance (Gouraud);
+                      // radiance (flat)
+    fragment_rows = fragment_values + 3,
 };
 
 /// Of one triangle.
@@ -283,8 +284,7 @@ inline std::uint32_t ref_id(const RasterView& view, std::uint32_t ref) {
     const bool fragment = (ref & fragment_bit) != 0, quad = (ref & quad_bit) != 0;
     const BatchStore& store = *(fragment ? view.fragments : quad ? view.quads : view.batches);
     const float* batch = store.batch(at / lanes);
-    const std::uint32_t row = fragment ? std::uint32_t(fragment_id) : std::uint32_t(row_id);
-    return reinterpret_cast<const std::uint32_t*>(batch)[row * lanes + at % lanes];
+    return reinterpret_cast<const std::uint32_t*>(batch)[row_id * lanes + at % lanes];
 }
 
 void clear_tile(TileBuffer& tile);
@@ -346,6 +346,8 @@ void place_faces(const float* batch, const FaceArrays& faces, const PointArrays&
 
 /// Planes of radiance from row `to` on, from those of the corners' weights at row `weights`.
 void fill_lit(float* batch, int weights, int to, const VertexLight& light);
+/// Radiance of a batch of fragments, in place of the corners' weights.
+void fill_fragments_lit(float* batch, const VertexLight& light);
 /// Radiance at the corners of a batch of quadrilaterals, from row `to` on.
 void fill_quads_lit(float* batch, int to, const VertexLight& light);
 
@@ -464,7 +466,7 @@ struct SetupView {
 /// What set-up stores for one material of a mesh.
 struct SetupMaterial {
     std::uint32_t material;  // the scene's
-    bool store_normals, store_texcoords;
+    bool textured, store_normals, store_texcoords;
 };
 
 /// An object as set-up sees it.
@@ -477,7 +479,7 @@ struct SetupObject {
     float to_clip[4][4];  // rows x, y, d, w
     float to_world[3][4];
     bool mirrored;
-    bool fragments;  // tiny triangles may become fragments: light reads nothing but normals
+    bool fragments;  // tiny triangles may become fragments: at samples nothing reads positions
     Shading shading;
     const SetupMaterial* material;  // [the mesh's material]
 };

@@ -39,6 +39,19 @@ struct CornerSlots {
     }
 };
 
+void fill_fragments_here(float* batch, const VertexLight& light) {
+    const CornerSlots<3> slots(batch, light);
+    VecF weight[3];
+    for (int k = 0; k < 3; ++k) weight[k] = hn::Load(tag_f, batch + (fragment_values + k) * N);
+    for (int c = 0; c < 3; ++c) {
+        VecF sum = hn::Mul(weight[2], hn::GatherIndex(tag_f, light.radiance[c], slots.of[2]));
+        for (int k = 1; k >= 0; --k)
+            sum =
+                hn::MulAdd(hn::GatherIndex(tag_f, light.radiance[c], slots.of[k]), weight[k], sum);
+        hn::Store(sum, tag_f, batch + (fragment_values + c) * N);
+    }
+}
+
 void fill_quads_here(float* batch, int to, const VertexLight& light) {
     const CornerSlots<4> slots(batch, light);
     for (int c = 0; c < 3; ++c)
@@ -105,12 +118,16 @@ SCANSHADE_TARGET_END;
 namespace scanshade {
 
 HWY_EXPORT(fill_here);
+HWY_EXPORT(fill_fragments_here);
 HWY_EXPORT(fill_quads_here);
 HWY_EXPORT(place_vertices_here);
 HWY_EXPORT(place_faces_here);
 
 void fill_lit(float* batch, int weights, int to, const VertexLight& light) {
     HWY_DYNAMIC_DISPATCH(fill_here)(batch, weights, to, light);
+}
+void fill_fragments_lit(float* batch, const VertexLight& light) {
+    HWY_DYNAMIC_DISPATCH(fill_fragments_here)(batch, light);
 }
 void fill_quads_lit(float* batch, int to, const VertexLight& light) {
     HWY_DYNAMIC_DISPATCH(fill_quads_here)(batch, to, light);

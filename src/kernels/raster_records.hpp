@@ -13,7 +13,7 @@ SCANSHADE_TARGET_BEGIN;
 
 /// A block of a record with the samples that it covers; its depths, if they are known, from `depth`.
 inline void draw_block(const RasterView& view, std::uint32_t record, int x, int y, int at,
-                std::uint32_t covered, const float* depth, TileBuffer& tile) {
+                       std::uint32_t covered, const float* depth, TileBuffer& tile) {
     for (int v = 0; v < block_vectors; ++v) {
         const std::uint32_t bits = covered >> (v * N) & ((1u << N) - 1);
         if (bits == 0) continue;
@@ -93,8 +93,8 @@ DepthBounds depth_bounds(const Record& r, int x, int y, int side) {
 }
 
 /// `whole`: the record covers all of the tile.
-inline void draw_subtile(const RasterView& view, std::uint32_t record, const BlockEdges& edges, bool whole,
-                  int tile_x, int tile_y, int subtile, TileBuffer& tile) {
+inline void draw_subtile(const RasterView& view, std::uint32_t record, const BlockEdges& edges,
+                         bool whole, int tile_x, int tile_y, int subtile, TileBuffer& tile) {
     const Record& r = view.records[record];
     const int x = tile_x + (subtile % 4) * subtile_side, y = tile_y + (subtile / 4) * subtile_side;
     const DepthBounds bounds = depth_bounds(r, x, y, subtile_side);
@@ -120,7 +120,8 @@ inline void draw_subtile(const RasterView& view, std::uint32_t record, const Blo
         tile.farthest[subtile] = std::max(tile.farthest[subtile], bounds.farthest);
 }
 
-inline void draw_record(const RasterView& view, int x, int y, std::uint32_t record, TileBuffer& tile) {
+inline void draw_record(const RasterView& view, int x, int y, std::uint32_t record,
+                        TileBuffer& tile) {
     const Record& r = view.records[record];
     // A layer behind all that the tile shows ends here.
     const float farthest = *std::min_element(tile.farthest, tile.farthest + TileBuffer::subtiles);
@@ -134,7 +135,7 @@ inline void draw_record(const RasterView& view, int x, int y, std::uint32_t reco
 }
 
 inline void draw_rows(const RasterView& view, int x, int y, std::uint32_t record,
-               const std::uint64_t* rows, const float* depth, TileBuffer& tile) {
+                      const std::uint64_t* rows, const float* depth, TileBuffer& tile) {
     write_all(view, x, y, tile);
     for (int row = 0; row < tile_side; row += block_side) {
         const std::uint64_t any = rows[row] | rows[row + 1] | rows[row + 2] | rows[row + 3];

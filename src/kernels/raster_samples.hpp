@@ -57,7 +57,8 @@ inline int subtile_block(int subtile, int block) {
     return block_at((subtile % 4) * 4 + block % 4, (subtile / 4) * 4 + block / 4);
 }
 
-inline void write_subtile(const RasterView& view, int tile_x, int tile_y, int subtile, TileBuffer& tile) {
+inline void write_subtile(const RasterView& view, int tile_x, int tile_y, int subtile,
+                          TileBuffer& tile) {
     if (tile.written[subtile]) return;
     tile.written[subtile] = true;
     const std::uint32_t owner = tile.owner[subtile];

@@ -53,8 +53,8 @@ private:
     const float* at_;
 };
 
-inline void draw_tiny(const RasterView& view, int x, int y, const std::uint32_t* refs, std::uint32_t count,
-               TileBuffer& tile) {
+inline void draw_tiny(const RasterView& view, int x, int y, const std::uint32_t* refs,
+                      std::uint32_t count, TileBuffer& tile) {
     write_all(view, x, y, tile);
     for (std::uint32_t i = 0; i < count; ++i) {
         const BatchTriangle t(*view.batches, refs[i]);
@@ -64,7 +64,7 @@ inline void draw_tiny(const RasterView& view, int x, int y, const std::uint32_t*
 }
 
 inline void draw_small(const RasterView& view, int x, int y, const std::uint32_t* refs,
-                std::uint32_t count, TileBuffer& tile) {
+                       std::uint32_t count, TileBuffer& tile) {
     write_all(view, x, y, tile);
     for (std::uint32_t i = 0; i < count; ++i) {
         const BatchTriangle t(*view.batches, refs[i]);
@@ -153,22 +153,22 @@ private:
 };
 
 inline void draw_medium(const RasterView& view, int x, int y, const std::uint32_t* refs,
-                 std::uint32_t count, TileBuffer& tile) {
+                        std::uint32_t count, TileBuffer& tile) {
     write_all(view, x, y, tile);
     BlockQueue queue(view, x, y, refs, tile);
     for (std::uint32_t i = 0; i < count; ++i) queue.add(i);
     queue.draw();
 }
 
-
 inline void draw_fragments(const RasterView& view, int x, int y, const std::uint32_t* runs,
-                    std::uint32_t count, TileBuffer& tile) {
+                           std::uint32_t count, TileBuffer& tile) {
     write_all(view, x, y, tile);
     for (std::uint32_t i = 0; i < count; i += 2) {
         const std::uint32_t first = runs[i] % std::uint32_t(N);
-        const float* depth = view.fragments->batch(runs[i] / std::uint32_t(N));
-        const auto* at = reinterpret_cast<const std::uint32_t*>(depth) + fragment_at * N;
-        const std::uint32_t* id = at + (fragment_id - fragment_at) * N;
+        const float* rows = view.fragments->batch(runs[i] / std::uint32_t(N));
+        const float* depth = rows + fragment_depth * N;
+        const auto* at = reinterpret_cast<const std::uint32_t*>(rows) + fragment_at * N;
+        const auto* id = reinterpret_cast<const std::uint32_t*>(rows) + row_id * N;
         for (std::uint32_t k = first; k < first + runs[i + 1]; ++k) {
             float& there = tile.depth[at[k]];
             std::uint32_t& ref = tile.ref[at[k]];

@@ -113,8 +113,7 @@ inline VecF record_depth(const RasterView& view, const Record& r, const Position
                            y)
             .v;
     }
-    if (r.depth == Record::Depth::spans)
-        return span_depth(quad_span(quad_from(r.rows, 1), y), x).v;
+    if (r.depth == Record::Depth::spans) return span_depth(quad_span(quad_from(r.rows, 1), y), x).v;
     if (r.depth == Record::Depth::clipped) return clipped_depth(view, r, at);
     VecF lambda[3];
     triangle_weights(r, at, lambda);

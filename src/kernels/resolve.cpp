@@ -144,17 +144,20 @@ private:
         const MaskI mask = lanes_of(hn::ShiftRight<lane_shift>(ref), first >> lane_shift, pending);
         const std::uint32_t lanes = mask_bits(tag_i, mask);
         const BatchInfo& info = view_.raster.fragments->info(number);
-        if (view_.materials[info.material].reads_normal) {
-            const float* rows = view_.raster.fragments->batch(number) + fragment_normal * N;
-            const auto lane = hn::IndicesFromVec(tag_f, hn::And(ref, hn::Set(tag_i, N - 1)));
-            VecF n[3];
-            for (int c = 0; c < 3; ++c)
-                n[c] = hn::TableLookupLanes(hn::Load(tag_f, rows + c * N), lane);
-            const MaskF mask_f = hn::RebindMask(tag_f, mask);
-            if (info.normals_disagree) note_zero_normals(s, n, mask_f);
-            for (int c = 0; c < 3; ++c) put(out_.normal[c], s.number, n[c], mask_f, lanes == full);
+        const Shading shading = view_.objects[info.object].shading;
+        const BatchRows rows(view_.raster.fragments->batch(number), ref);
+        const MaskF mask_f = hn::RebindMask(tag_f, mask);
+        const auto put_values = [&](float(&to)[3][subtile_samples], const VecF(&v)[3]) HWY_ATTR {
+            for (int c = 0; c < 3; ++c) put(to[c], s.number, v[c], mask_f, lanes == full);
+        };
+        if (shading != Shading::phong || view_.materials[info.material].reads_normal) {
+            const VecF value[3] = {rows.row(fragment_values), rows.row(fragment_values + 1),
+                                   rows.row(fragment_values + 2)};
+            if (shading == Shading::phong && info.normals_disagree)
+                note_zero_normals(s, value, mask_f);
+            put_values(shading == Shading::phong ? out_.normal : out_.radiance, value);
         }
-        add_part(s.number, lanes, info.material, Shading::phong);
+        add_part(s.number, lanes, info.material, shading);
         return lanes;
     }
 

@@ -109,10 +109,10 @@ public:
     }
     HWY_INLINE VecF row(int r) const { return rows_.row(r); }
     HWY_INLINE VecF value(int r) const {
-        return hn::MulAdd(row(r), weight_[0],
-                          hn::MulAdd(row(r + 1), weight_[1],
-                                     hn::MulAdd(row(r + 2), weight_[2],
-                                                hn::Mul(row(r + 3), weight_[3]))));
+        return hn::MulAdd(
+            row(r), weight_[0],
+            hn::MulAdd(row(r + 1), weight_[1],
+                       hn::MulAdd(row(r + 2), weight_[2], hn::Mul(row(r + 3), weight_[3]))));
     }
     const Attributes& at;
 

@@ -27,7 +27,7 @@ public:
     void run() {
         cull();
         // Two ways to draw the same: which one is a matter of speed alone.
-        if (tiny_ * 2 > queued_ && of_.object.fragments && !of_.material.store_texcoords) {
+        if (tiny_ * 2 > queued_ && of_.object.fragments && !of_.material.textured) {
             divide();
             FragmentWriter fragments(of_, to_.fragments, worker_);
             each(divided_queue_, divided_,

@@ -23,7 +23,8 @@ public:
         store(row, plane.c.v), store(row + 1, plane.x.v), store(row + 2, plane.y.v);
     }
 
-    void store_face(const ClusterContext& of, const Boxes& box, VecI ox, VecI oy, VecI packed) const {
+    void store_face(const ClusterContext& of, const Boxes& box, VecI ox, VecI oy,
+                    VecI packed) const {
         store(row_origin_x, to_float(ox));
         store(row_origin_y, to_float(oy));
         const VecI columns = hn::ShiftRight<2>(hn::Sub(box.x1, ox));

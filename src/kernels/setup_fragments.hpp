@@ -6,6 +6,8 @@
 #define SCANSHADE_KERNELS_SETUP_FRAGMENTS_HPP
 #endif
 
+#include <algorithm>
+
 #include "kernels/setup_geometry.hpp"
 
 SCANSHADE_TARGET_BEGIN;
@@ -34,14 +36,17 @@ public:
 
     /// Triangles whose boxes hold up to 2 × 2 samples.
     void write(const Triangles& t, MaskI kept) {
-        ScreenPlane<Lanes> normal[3] = {};
-        if (of_.material.store_normals) normal_planes(t, normal);
+        ScreenPlane<Lanes> values[3] = {};
+        if (has_weights())
+            std::copy_n(weights_of(t, of_.view.affine).of, 3, values);
+        else if (of_.material.store_normals)
+            normal_planes(t, values);
         const VecI id = triangle_ids(of_, t.corners.packed);
         for (int y = 0; y < 2; ++y)
             for (int x = 0; x < 2; ++x) {
                 const MaskI mask = hn::And(kept, covers(t.edges, t.box, x, y));
                 if (hn::AllFalse(tag_i, mask)) continue;
-                append(t, normal, id, hn::Add(t.box.x0, hn::Set(tag_i, x)),
+                append(t, values, id, hn::Add(t.box.x0, hn::Set(tag_i, x)),
                        hn::Add(t.box.y0, hn::Set(tag_i, y)), mask);
             }
     }
@@ -54,6 +59,8 @@ private:
     // Beside the rows of a batch, where on the picture.
     enum { column = fragment_rows, line, staged_rows };
 
+    bool has_weights() const { return of_.object.shading == Shading::gouraud; }
+
     void normal_planes(const Triangles& t, ScreenPlane<Lanes> (&normal)[3]) const {
         const Weights w = turned_weights(t.corners, weights_of(t, of_.view.affine));
         for (int axis = 0; axis < 3; ++axis) {
@@ -65,17 +72,20 @@ private:
     }
 
     /// With the bits that raster and resolve find for a triangle in a batch.
-    void append(const Triangles& t, const ScreenPlane<Lanes> (&normal)[3], VecI id, VecI px,
+    void append(const Triangles& t, const ScreenPlane<Lanes> (&values)[3], VecI id, VecI px,
                 VecI py, MaskI mask) {
         const VecF X = to_float(hn::Sub(px, t.ox)), Y = to_float(hn::Sub(py, t.oy));
-        stage(fragment_depth, plane_value(t.depth, Lanes(X), Lanes(Y)).v, mask);
-        stage(fragment_id, id, mask);
-        if (of_.material.store_normals)
-            for (int axis = 0; axis < 3; ++axis) {
-                const ScreenPlane<Lanes>& n = normal[axis];
-                stage(fragment_normal + axis, hn::MulAdd(n.x.v, X, hn::MulAdd(n.y.v, Y, n.c.v)),
-                      mask);
-            }
+        const Lanes depth = plane_value(t.depth, Lanes(X), Lanes(Y));
+        stage(fragment_depth, depth.v, mask);
+        stage(row_id, id, mask);
+        stage(row_corners, t.corners.packed, mask);
+        VecF unscale = hn::Set(tag_f, 1.0f);
+        if (has_weights() && !of_.view.affine) unscale = reciprocal(depth).v;
+        for (int i = 0; i < 3; ++i) {
+            const ScreenPlane<Lanes>& p = values[i];
+            const VecF value = hn::MulAdd(p.x.v, X, hn::MulAdd(p.y.v, Y, p.c.v));
+            stage(fragment_values + i, hn::Mul(value, unscale), mask);
+        }
         stage(column, px, mask);
         stage(line, py, mask);
         count_ += std::uint32_t(hn::CountTrue(tag_i, mask));

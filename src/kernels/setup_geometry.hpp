@@ -271,8 +271,7 @@ inline ScreenPlane<Lanes> weighted_plane(const VecF (&a)[3], const Weights& w) {
 inline VecF side_of(VecI packed) {
     const MaskI back =
         hn::Ne(hn::And(packed, hn::Set(tag_i, std::int32_t(back_bit))), hn::Zero(tag_i));
-    return hn::IfThenElse(hn::RebindMask(tag_f, back), hn::Set(tag_f, -1.0f),
-                          hn::Set(tag_f, 1.0f));
+    return hn::IfThenElse(hn::RebindMask(tag_f, back), hn::Set(tag_f, -1.0f), hn::Set(tag_f, 1.0f));
 }
 
 /// The weights with the triangle's sign.

@@ -49,8 +49,8 @@ private:
         const VecI zero = hn::Zero(tag_i);
         for (std::uint32_t f = 0; f < of_.cluster.face_count; f += std::uint32_t(N)) {
             const Corners<4> c = fetch<4>(of_.vertices, hn::LoadU(tag_i, as_int(corners + f)));
-            const MaskI used = hn::FirstN(
-                tag_i, std::min(of_.cluster.face_count - f, std::uint32_t(N)));
+            const MaskI used =
+                hn::FirstN(tag_i, std::min(of_.cluster.face_count - f, std::uint32_t(N)));
             const Boxes box = boxes_of(c, of_.view);
             MaskI alive = hn::And(used, holds_samples(box));
             MaskI clipped = hn::MaskFromVec(zero);
@@ -78,10 +78,11 @@ private:
     }
 
     void write(std::uint32_t first, std::uint32_t count, MaskI used) {
-        const Corners<4> c = fetch<4>(
-            of_.vertices, hn::IfThenElseZero(used, hn::LoadU(tag_i, queue_ + first)));
+        const Corners<4> c =
+            fetch<4>(of_.vertices, hn::IfThenElseZero(used, hn::LoadU(tag_i, queue_ + first)));
         const Boxes box = boxes_of(c, of_.view);
-        const VecI ox = hn::And(box.x0, hn::Set(tag_i, ~3)), oy = hn::And(box.y0, hn::Set(tag_i, ~3));
+        const VecI ox = hn::And(box.x0, hn::Set(tag_i, ~3)),
+                   oy = hn::And(box.y0, hn::Set(tag_i, ~3));
         VecF z[4];
         for (int k = 0; k < 4; ++k) z[k] = hn::GatherIndex(tag_f, of_.vertices.depth, c.local[k]);
         const MaskI serve = serves(c, box, ox, oy, z);
@@ -100,7 +101,8 @@ private:
         bin(number, kept, box);
     }
 
-    MaskI serves(const Corners<4>& c, const Boxes& box, VecI ox, VecI oy, const VecF (&z)[4]) const {
+    MaskI serves(const Corners<4>& c, const Boxes& box, VecI ox, VecI oy,
+                 const VecF (&z)[4]) const {
         const Turns turns = turns_of(c);
         const Lanes turn[4] = {Lanes(to_float(turns.of[0])), Lanes(to_float(turns.of[1])),
                                Lanes(to_float(turns.of[2])), Lanes(to_float(turns.of[3]))};
@@ -140,8 +142,7 @@ private:
                 return hn::GatherIndex(tag_f, of_local + first, c.local[k]);
             };
             for (int axis = 0; axis < 3 && at.main >= 0 && of_.material.store_normals; ++axis)
-                rows.store(at.main + 4 * axis + k,
-                           hn::Mul(value(of_.object.normal[axis]), side));
+                rows.store(at.main + 4 * axis + k, hn::Mul(value(of_.object.normal[axis]), side));
             if (at.texcoord >= 0 && of_.material.store_texcoords) {
                 rows.store(at.texcoord + k, value(mesh.u.data()));
                 rows.store(at.texcoord + 4 + k, value(mesh.v.data()));
@@ -156,9 +157,8 @@ private:
     void bin(std::uint32_t batch, MaskI kept, const Boxes& box) {
         alignas(64) std::int32_t x0[N], y0[N], x1[N], y1[N];
         const int shift = __builtin_ctz(static_cast<unsigned>(of_.view.tile));
-        const auto tiles = [&](VecI at, std::int32_t* to) HWY_ATTR {
-            hn::Store(hn::ShiftRightSame(at, shift), tag_i, to);
-        };
+        const auto tiles = [&](VecI at, std::int32_t* to)
+                               HWY_ATTR { hn::Store(hn::ShiftRightSame(at, shift), tag_i, to); };
         tiles(box.x0, x0), tiles(box.y0, y0), tiles(box.x1, x1), tiles(box.y1, y1);
         for_each_lane(kept, [&](std::uint32_t lane) {
             for (int ty = y0[lane]; ty <= y1[lane]; ++ty)

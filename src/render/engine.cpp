@@ -48,7 +48,8 @@ Engine::Pass::Pass(State& state, Frame& frame)
       tile_(frame.plan.tile),
       tiles_x_(tiles_along(frame.view.width, tile_)),
       tiles_y_(tiles_along(frame.view.height, tile_)),
-      light_(shading_, state.scene, {&state.batches, &state.quads}, state.records, state.light) {
+      light_(shading_, state.scene, {&state.batches, &state.fragments, &state.quads}, state.records,
+             state.light) {
     make_setup_view();
     make_objects();
     make_resolve_view();
@@ -104,6 +105,7 @@ void Engine::Pass::set_up() {
     }
     for (const EngineWorker& worker : state_.workers) {
         state_.batches.leave_empty(worker.setup.batch_run);
+        state_.fragments.leave_empty(worker.setup.fragment_run);
         state_.quads.leave_empty(worker.setup.quad_run);
         frame_.items += worker.triangles;
     }
@@ -281,8 +283,8 @@ void Engine::Pass::raster_tile(std::size_t number, int x, int y, TileBuffer& til
                 raster_record_in(list, state_.first_record[w] + records[i], x, y, tile);
         });
     }
-    using DrawRefs = void (*)(const RasterView&, int, int, const std::uint32_t*, std::uint32_t,
-                              TileBuffer&);
+    using DrawRefs =
+        void (*)(const RasterView&, int, int, const std::uint32_t*, std::uint32_t, TileBuffer&);
     const auto draw = [&](TileLists SetupWorker::*list, DrawRefs refs_into) {
         for (const EngineWorker& worker : state_.workers)
             (worker.setup.*list).each(number, [&](const std::uint32_t* refs, std::uint32_t count) {

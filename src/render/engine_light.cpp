@@ -28,6 +28,13 @@ void resize(std::vector<float> (&channels)[3], std::size_t count) {
 
 }  // namespace
 
+namespace {
+
+/// Fragments of textured faces there are none.
+constexpr Attributes fragment_attributes = {1, fragment_rows, fragment_values};
+
+}  // namespace
+
 /// Points of one material on their way through its kernel: those of a cluster or of a batch.
 class EngineLight::Points {
 public:
@@ -71,8 +78,9 @@ EngineLight::EngineLight(const TileShading& shading, const EngineScene& scene, c
       scene_(scene),
       records_(records),
       memory_(memory),
-      kinds_{{*stores.batches, shading.resolve.attributes, 3, memory.seen_triangle},
-             {*stores.quads, shading.resolve.quad_attributes, 4, memory.seen_quad}} {}
+      kinds_{{Kind::triangles, *stores.batches, shading.resolve.attributes, memory.seen_triangle},
+             {Kind::fragments, *stores.fragments, fragment_attributes, memory.seen_fragment},
+             {Kind::quads, *stores.quads, shading.resolve.quad_attributes, memory.seen_quad}} {}
 
 void EngineLight::reset() {
     memory_.objects.resize(scene_.objects.size());
@@ -115,9 +123,11 @@ void EngineLight::see(const TileBuffer& tile) {
             const std::uint32_t ref =
                 tile.ref[(row * (tile_side / block_side) + column) * block_samples +
                          i % block_samples];
-            if (ref == no_ref || (ref & fragment_bit) != 0) continue;
+            if (ref == no_ref) continue;
             if ((ref & record_bit) != 0)
                 note(memory_.seen_record[ref & ~record_bit]);
+            else if ((ref & fragment_bit) != 0)
+                note(memory_.seen_fragment[ref & ~fragment_bit]);
             else if ((ref & quad_bit) != 0)
                 note(memory_.seen_quad[ref & ~quad_bit]);
             else
@@ -142,7 +152,7 @@ void EngineLight::mark_vertices(const Lit& lit, std::uint32_t number) {
     for (std::uint32_t lane = 0; lane < info.count; ++lane) {
         if (lit.seen_in(number)[lane] == 0) continue;
         std::uint8_t* side = needed + ((packed[lane] & back_bit) != 0 ? mesh.x.size() : 0);
-        for (int k = 0; k < lit.corners; ++k)
+        for (int k = 0; k < (lit.kind == Kind::quads ? 4 : 3); ++k)
             note(side[packed[lane] >> (k * corner_bits) & (max_cluster_vertices - 1)]);
     }
 }
@@ -192,13 +202,18 @@ void EngineLight::fill(const Lit& lit, std::uint32_t number) {
         const VertexLight light = {{radiance[0].data(), radiance[1].data(), radiance[2].data()},
                                    mesh.clusters[info.cluster].first_vertex,
                                    static_cast<std::uint32_t>(mesh.x.size())};
-        if (lit.corners == 4)
-            fill_quads_lit(lit.store.batch(number), to, light);
-        else
-            fill_lit(lit.store.batch(number), lit.at.main, to, light);
+        float* batch = lit.store.batch(number);
+        switch (lit.kind) {
+            case Kind::triangles:
+                return fill_lit(batch, lit.at.main, to, light);
+            case Kind::fragments:
+                return fill_fragments_lit(batch, light);
+            case Kind::quads:
+                return fill_quads_lit(batch, to, light);
+        }
     };
     // The radiance takes the place of the weights.
-    if (shading_.frame.plan.texture) fill(object.dark, lit.at.dark);
+    if (lit.at.dark >= 0) fill(object.dark, lit.at.dark);
     fill(object.radiance, lit.at.main);
 }
 
@@ -225,7 +240,7 @@ void EngineLight::light_faces(const Lit& lit, std::uint32_t number, Points& poin
         points.light(shading_, info.material, info.count, albedo, {to(0), to(1), to(2)}, events);
     };
     light(lit.at.main, 1);
-    if (shading_.frame.plan.texture) light(lit.at.dark, 0);
+    if (lit.at.dark >= 0) light(lit.at.dark, 0);
 }
 
 void EngineLight::light_record(Record& r, EventCounts& events) const {
@@ -264,7 +279,7 @@ void EngineLight::light_record(Record& r, EventCounts& events) const {
 /// Radiance where resolve looks for it: planes, corners, or one value of a flat face.
 void EngineLight::fill_rows(Record& r) const {
     const bool whole = r.depth == Record::Depth::spans;
-    const Attributes& at = kinds_[whole ? 1 : 0].at;
+    const Attributes& at = whole ? shading_.resolve.quad_attributes : shading_.resolve.attributes;
     const bool flat = shading_.objects[r.object].shading == Shading::flat;
     const auto fill = [&](int from, const float(&value)[4][3]) {
         for (int c = 0; c < 3 && from >= 0; ++c) {
@@ -287,35 +302,33 @@ EngineLight::Counts EngineLight::each_batch(Shading shading, EventCounts& events
     std::mutex mutex;
     Counts counts;
     for (const Lit& lit : kinds_)
-        parallel_for(
-            lit.store.used(), 64, shading_.frame.plan.threads,
-            [&](std::size_t begin, std::size_t end, int) {
-                EventCounts own;
-                Counts own_counts;
-                Points points;
-                for (auto b = std::uint32_t(begin); b < end; ++b) {
-                    const BatchInfo& info = lit.store.info(b);
-                    if (info.count == 0 || !concerns(info.object) ||
-                        shading_.objects[info.object].shading != shading)
-                        continue;
-                    const std::uint8_t* seen = lit.seen_in(b);
-                    const auto shown = std::uint64_t(std::count(seen, seen + lit.store.lanes(), 1));
-                    own_counts += {shown, info.count};
-                    if (shown > 0) work(lit, b, points, own);
-                }
-                const std::lock_guard lock(mutex);
-                events += own;
-                counts += own_counts;
-            });
+        parallel_for(lit.store.used(), 64, shading_.frame.plan.threads,
+                     [&](std::size_t begin, std::size_t end, int) {
+                         EventCounts own;
+                         Counts own_counts;
+                         Points points;
+                         for (auto b = std::uint32_t(begin); b < end; ++b) {
+                             const BatchInfo& info = lit.store.info(b);
+                             if (info.count == 0 || !concerns(info.object) ||
+                                 shading_.objects[info.object].shading != shading)
+                                 continue;
+                             const std::uint8_t* seen = lit.seen_in(b);
+                             const auto shown =
+                                 std::uint64_t(std::count(seen, seen + lit.store.lanes(), 1));
+                             own_counts += {shown, info.count};
+                             if (shown > 0) work(lit, b, points, own);
+                         }
+                         const std::lock_guard lock(mutex);
+                         events += own;
+                         counts += own_counts;
+                     });
     return counts;
 }
 
 EngineLight::Counts EngineLight::light(EventCounts& events) {
-    Counts counts = each_batch(
-        Shading::flat, events,
-        [&](const Lit& lit, std::uint32_t b, Points& points, EventCounts& own) {
-            light_faces(lit, b, points, own);
-        });
+    Counts counts = each_batch(Shading::flat, events,
+                               [&](const Lit& lit, std::uint32_t b, Points& points,
+                                   EventCounts& own) { light_faces(lit, b, points, own); });
     each_batch(
         Shading::gouraud, events,
         [&](const Lit& lit, std::uint32_t b, Points&, EventCounts&) { mark_vertices(lit, b); });

@@ -20,7 +20,7 @@ struct EngineLitObject {
 
 struct EngineLightMemory {
     std::vector<EngineLitObject> objects;
-    std::vector<std::uint8_t> seen_triangle, seen_quad;  // [batch · lanes + lane]
+    std::vector<std::uint8_t> seen_triangle, seen_fragment, seen_quad;  // [batch · lanes + lane]
     std::vector<std::uint8_t> seen_record;
 };
 
@@ -28,7 +28,7 @@ struct EngineLightMemory {
 class EngineLight {
 public:
     struct Stores {
-        BatchStore *batches, *quads;
+        BatchStore *batches, *fragments, *quads;
     };
     EngineLight(const TileShading& shading, const EngineScene& scene, const Stores& stores,
                 std::vector<Record>& records, EngineLightMemory& memory);
@@ -54,11 +54,12 @@ public:
 
 private:
     class Points;
-    /// Batches of triangles, or of quadrilaterals.
+    /// Batches of triangles, of fragments or of quadrilaterals.
+    enum class Kind { triangles, fragments, quads };
     struct Lit {
+        Kind kind;
         BatchStore& store;
         const Attributes& at;
-        int corners;
         std::vector<std::uint8_t>& seen;
 
         const std::uint8_t* seen_in(std::uint32_t batch) const {
@@ -81,7 +82,7 @@ private:
     const EngineScene& scene_;
     std::vector<Record>& records_;
     EngineLightMemory& memory_;
-    const Lit kinds_[2];
+    const Lit kinds_[3];
 };
 
 }  // namespace scanshade

@@ -97,8 +97,8 @@ double distance_to(const Light& light, const std::vector<ClusterBounds>& bounds)
     double distance = INFINITY;
     if (light.kind == LightKind::directional) return distance;
     for (const ClusterBounds& b : bounds)
-        distance = std::min(distance, glm::distance(light.position, glm::dvec3(b.centre)) -
-                                          double(b.radius));
+        distance = std::min(distance,
+                            glm::distance(light.position, glm::dvec3(b.centre)) - double(b.radius));
     return distance;
 }
 

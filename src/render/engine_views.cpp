@@ -66,7 +66,8 @@ void Engine::Pass::make_objects() {
             const bool reads_normal =
                 shading == Shading::phong && shading_.materials[m].reads_normal;
             materials_.back().push_back(
-                {m, reads_normal || (shading != Shading::gouraud && !leaves_out(PlanRow::normals)),
+                {m, shading_.materials[m].textured,
+                 reads_normal || (shading != Shading::gouraud && !leaves_out(PlanRow::normals)),
                  shading_.materials[m].textured || !leaves_out(PlanRow::texcoords)});
         }
         SetupObject object{};
@@ -80,7 +81,7 @@ void Engine::Pass::make_objects() {
         for (int r = 0; r < 3; ++r)
             std::copy(engine.to_world[r], engine.to_world[r] + 4, object.to_world[r]);
         object.mirrored = view.mirrored;
-        object.fragments = shading == Shading::phong && setup_.attributes.position < 0 &&
+        object.fragments = (shading != Shading::phong || setup_.attributes.position < 0) &&
                            !shading_.objects[i].scalar;
         object.shading = shading;
         objects_.push_back(object);
@@ -91,10 +92,9 @@ void Engine::Pass::make_objects() {
 void Engine::Pass::make_resolve_view() {
     ResolveView& resolve = shading_.resolve;
     const View& view = frame_.view;
-    resolve.raster = {&state_.batches,   &state_.fragments, &state_.quads, nullptr,
-                      frame_.sample.x,   frame_.sample.y,   view.width,    view.height,
-                      tile_,             view.near,         view.far,      view.orthographic,
-                      false};
+    resolve.raster = {&state_.batches, &state_.fragments, &state_.quads, nullptr, frame_.sample.x,
+                      frame_.sample.y, view.width,        view.height,   tile_,   view.near,
+                      view.far,        view.orthographic, false};
     resolve.attributes = setup_.attributes;
     resolve.quad_attributes = setup_.quad_attributes;
     resolve.affine = setup_.affine;

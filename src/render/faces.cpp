@@ -170,9 +170,9 @@ void measure_quad(const Frame& frame, bool positive, DrawnFace& face) {
     }
     for (int k = 0; k < 4; ++k)
         face.quad.per_height[k] = per_height(face.quad.y[(k + 1) % 4] - face.quad.y[k]);
-    face.quad_serves = quads_serve(nearest, farthest, turn, float(face.box.x1 - ox),
-                                   float(face.box.y1 - oy), float(high.x - low.x),
-                                   float(high.y - low.y), steepest_weight(frame.plan));
+    face.quad_serves =
+        quads_serve(nearest, farthest, turn, float(face.box.x1 - ox), float(face.box.y1 - oy),
+                    float(high.x - low.x), float(high.y - low.y), steepest_weight(frame.plan));
 }
 
 }  // namespace

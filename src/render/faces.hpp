@@ -76,7 +76,7 @@ struct DrawnFace {
     bool planar = false;                // depth is a plane, else Σ λ_i z_i
     ScreenPlane<float> depth{};         // of a planar triangle, from the box's origin
 
-    HomogeneousEdges edges{};           // clipped
+    HomogeneousEdges edges{};  // clipped
 
     // polygon
     std::vector<PictureCorner> corner;

@@ -210,8 +210,7 @@ void RecordMaker::describe_corners(Record& r) const {
         put(quad_attributes_.position, k, glm::vec3(surface.vertex_position(v)), 3);
     }
     for (int i = 0; i < 4; ++i)
-        for (int k = 0; k < i; ++k)
-            r.normals_disagree |= !(glm::dot(normal[i], normal[k]) > 0.1f);
+        for (int k = 0; k < i; ++k) r.normals_disagree |= !(glm::dot(normal[i], normal[k]) > 0.1f);
 }
 
 void RecordMaker::put_into_tiles(const Record& r) {

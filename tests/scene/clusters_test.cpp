@@ -58,8 +58,7 @@ std::string check_slots(const Mesh& mesh, const ClusteredMesh& clusters, const C
     if (cluster.vertex_count == 0 || cluster.vertex_count > max_cluster_vertices ||
         cluster.face_count == 0 || cluster.face_count > max_cluster_triangles)
         return "too many or too few";
-    if (cluster.first_vertex % cluster_padding != 0 ||
-        cluster.first_face % cluster_padding != 0)
+    if (cluster.first_vertex % cluster_padding != 0 || cluster.first_face % cluster_padding != 0)
         return "does not begin on whole groups";
     for (std::uint32_t i = 0;
          i < (cluster.vertex_count + cluster_padding - 1) / cluster_padding * cluster_padding;

@@ -28,7 +28,7 @@ struct Cluster {
     std::uint32_t vertex_count, face_count;  // without the padding
     std::uint32_t corners;                   // of each face: 3 or 4
     std::uint32_t material;                  // the mesh's number
-    std::array<float, 3> centre;                 // bounding sphere, units as the mesh's x, y, z
+    std::array<float, 3> centre;             // bounding sphere, units as the mesh's x, y, z
     float radius;
     std::array<float, 3> axis;  // every triangle's normal is within the angle α of this unit vector
     float sin_cone;             // sin α; 1: the normals have no common side
@@ -39,11 +39,12 @@ struct Cluster {
 /// faces of no area. Immutable once built.
 struct ClusteredMesh {
     std::vector<Cluster> clusters;
-    std::vector<float> x, y, z;           // [slot] as in the mesh
-    std::vector<float> u, v;              // [slot]
-    std::vector<std::uint32_t> vertex;    // [slot] the mesh's vertex
-    std::vector<std::uint32_t> corners;   // [face slot] packed as above
-    std::vector<std::uint32_t> triangle;  // [face slot] the mesh's triangle, a quadrilateral's first
+    std::vector<float> x, y, z;          // [slot] as in the mesh
+    std::vector<float> u, v;             // [slot]
+    std::vector<std::uint32_t> vertex;   // [slot] the mesh's vertex
+    std::vector<std::uint32_t> corners;  // [face slot] packed as above
+    std::vector<std::uint32_t>
+        triangle;  // [face slot] the mesh's triangle, a quadrilateral's first
     std::vector<std::uint32_t> left_out;  // the mesh's faces that are in no cluster
 };
 
