@@ -324,11 +324,9 @@ struct PlacedMesh {
     const float* normal[3];  // [slot] unit
 };
 
-/// An object's faces in the world, and which of them each triangle belongs to.
+/// The faces of a cluster in the world, by their places in it; face_numbers of them can be read.
 struct FaceArrays {
-    const float *centre[3], *normal[3];  // [face]
-    const std::uint32_t* triangle_face;
-    std::uint32_t first_triangle, triangle_count;
+    const float *centre[3], *normal[3];
 };
 
 /// Radiance at the vertex slots of an object; seen from behind, `side` further on.

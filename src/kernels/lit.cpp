@@ -97,13 +97,9 @@ void place_vertices_here(const ClusteredMesh& mesh, const PlacedMesh& placed, st
 }
 
 void place_faces_here(const float* batch, const FaceArrays& faces, const PointArrays& to) {
-    const VecI in_mesh =
-        hn::Sub(load_row(batch, row_id), hn::Set(tag_i, std::int32_t(faces.first_triangle)));
-    // Unused lanes hold anything.
-    const VecI last = hn::Set(tag_i, std::int32_t(faces.triangle_count) - 1);
-    const VecI triangle = hn::Min(hn::Max(in_mesh, hn::Zero(tag_i)), last);
-    const VecI face = hn::GatherIndex(tag_i, as_int(faces.triangle_face), triangle);
-    const VecI back = back_of(load_row(batch, row_corners));
+    const VecI packed = load_row(batch, row_corners);
+    const VecI face = number_of(packed);
+    const VecI back = back_of(packed);
     const VecF side = hn::Sub(hn::Set(tag_f, 1.0f), to_float(hn::Add(back, back)));
     for (int c = 0; c < 3; ++c) {
         hn::StoreU(hn::GatherIndex(tag_f, faces.centre[c], face), tag_f, to.position[c]);

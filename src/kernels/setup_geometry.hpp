@@ -285,10 +285,8 @@ inline Weights turned_weights(const Corners<3>& c, const Weights& w) {
 
 /// Each face's number in the scene: of its (first) triangle.
 inline VecI triangle_ids(const ClusterContext& of, VecI packed) {
-    const VecI at =
-        hn::And(hn::ShiftRight<number_shift>(packed), hn::Set(tag_i, 2 * max_cluster_vertices - 1));
-    const VecI in_mesh =
-        hn::GatherIndex(tag_i, as_int(&of.object.mesh->triangle[of.cluster.first_face]), at);
+    const VecI in_mesh = hn::GatherIndex(
+        tag_i, as_int(&of.object.mesh->triangle[of.cluster.first_face]), number_of(packed));
     return hn::Add(in_mesh, hn::Set(tag_i, std::int32_t(of.object.first_triangle)));
 }
 

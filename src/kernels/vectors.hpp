@@ -9,6 +9,7 @@
 #include <hwy/highway.h>
 
 #include "scanshade/num/lanes.hpp"
+#include "scanshade/scene/clusters.hpp"
 
 SCANSHADE_TARGET_BEGIN;
 
@@ -60,6 +61,12 @@ void for_each_lane(std::uint32_t bits, Visit&& visit) {
 template <class Visit>
 void for_each_lane(MaskI mask, Visit&& visit) {
     for_each_lane(mask_bits(tag_i, mask), visit);
+}
+
+/// The faces' places in their cluster, below face_numbers, of numbers packed as in ClusteredMesh.
+inline VecI number_of(VecI packed) {
+    return hn::And(hn::ShiftRight<number_shift>(packed),
+                   hn::Set(tag_i, std::int32_t(face_numbers) - 1));
 }
 
 /// Writes the lanes of a mask one after another; what follows them up to N is overwritten, too.

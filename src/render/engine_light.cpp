@@ -88,6 +88,7 @@ void EngineLight::reset() {
         if (concerns(static_cast<std::uint32_t>(i))) reset_object(i);
     for (const Lit& lit : kinds_) lit.seen.assign(lit.store.used() * lit.store.lanes(), 0);
     memory_.seen_record.assign(records_.size(), 0);
+    sees_all_ = false;
 }
 
 void EngineLight::reset_object(std::size_t object) {
@@ -99,16 +100,21 @@ void EngineLight::reset_object(std::size_t object) {
         if (shading_.frame.plan.texture) resize(lit.dark, count);
         return;
     }
-    const std::size_t faces = shading_.frame.scene.objects[object].mesh->face_count();
-    if (lit.centre[0].size() == faces) return;
-    resize(lit.centre, faces);
-    resize(lit.normal, faces);
-    for (std::size_t face = 0; face < faces; ++face) {
+    const std::vector<std::uint32_t>& triangle = scene_.objects[object].mesh->triangle;
+    // Unused lanes name any number that a cluster can have.
+    const std::size_t slots = triangle.size() + face_numbers;
+    if (lit.centre[0].size() == slots) return;
+    resize(lit.centre, slots);
+    resize(lit.normal, slots);
+    const Mesh& mesh = *shading_.frame.scene.objects[object].mesh;
+    for (std::size_t slot = 0; slot < triangle.size(); ++slot) {
+        if (triangle[slot] == no_index) continue;
+        const std::uint32_t face = mesh.triangle_face[triangle[slot]];
         const glm::dvec3 p = shading_.surfaces[object].face_centre(face);
         const glm::dvec3 n = shading_.surfaces[object].face_normal(face);
         for (int c = 0; c < 3; ++c) {
-            lit.centre[c][face] = static_cast<float>(p[c]);
-            lit.normal[c][face] = static_cast<float>(n[c]);
+            lit.centre[c][slot] = static_cast<float>(p[c]);
+            lit.normal[c][slot] = static_cast<float>(n[c]);
         }
     }
 }
@@ -139,6 +145,7 @@ void EngineLight::see(const TileBuffer& tile) {
 void EngineLight::see_all() {
     for (const Lit& lit : kinds_) std::fill(lit.seen.begin(), lit.seen.end(), std::uint8_t{1});
     std::fill(memory_.seen_record.begin(), memory_.seen_record.end(), std::uint8_t{1});
+    sees_all_ = true;
 }
 
 void EngineLight::mark_vertices(const Lit& lit, std::uint32_t number) {
@@ -147,8 +154,19 @@ void EngineLight::mark_vertices(const Lit& lit, std::uint32_t number) {
     const auto* packed = reinterpret_cast<const std::uint32_t*>(lit.store.batch(number)) +
                          std::size_t(row_corners) * lanes;
     const ClusteredMesh& mesh = *scene_.objects[info.object].mesh;
-    std::uint8_t* needed =
-        memory_.objects[info.object].needed.data() + mesh.clusters[info.cluster].first_vertex;
+    const Cluster& cluster = mesh.clusters[info.cluster];
+    std::uint8_t* needed = memory_.objects[info.object].needed.data() + cluster.first_vertex;
+    if (sees_all_) {
+        // Nearly all of the cluster's are needed, from the sides that it shows.
+        std::uint32_t any = 0, all = ~0u;
+        for (std::uint32_t lane = 0; lane < info.count; ++lane)
+            any |= packed[lane], all &= packed[lane];
+        for (std::uint32_t i = 0; i < cluster.vertex_count; ++i) {
+            if ((all & back_bit) == 0) note(needed[i]);
+            if ((any & back_bit) != 0) note(needed[mesh.x.size() + i]);
+        }
+        return;
+    }
     for (std::uint32_t lane = 0; lane < info.count; ++lane) {
         if (lit.seen_in(number)[lane] == 0) continue;
         std::uint8_t* side = needed + ((packed[lane] & back_bit) != 0 ? mesh.x.size() : 0);
@@ -221,16 +239,14 @@ void EngineLight::fill(const Lit& lit, std::uint32_t number) {
 void EngineLight::light_faces(const Lit& lit, std::uint32_t number, Points& points,
                               EventCounts& events) {
     const BatchInfo& info = lit.store.info(number);
-    const Mesh& mesh = *shading_.frame.scene.objects[info.object].mesh;
     const EngineLitObject& object = memory_.objects[info.object];
+    const std::uint32_t first =
+        scene_.objects[info.object].mesh->clusters[info.cluster].first_face;
     FaceArrays faces{};
     for (int c = 0; c < 3; ++c) {
-        faces.centre[c] = object.centre[c].data();
-        faces.normal[c] = object.normal[c].data();
+        faces.centre[c] = object.centre[c].data() + first;
+        faces.normal[c] = object.normal[c].data() + first;
     }
-    faces.triangle_face = mesh.triangle_face.data();
-    faces.first_triangle = shading_.frame.plan.objects[info.object].first_triangle;
-    faces.triangle_count = std::uint32_t(mesh.triangle_count());
     place_faces(lit.store.batch(number), faces, points.at(0));
     const auto light = [&](int row, float albedo) {
         const auto to = [&](int c) {

@@ -14,7 +14,7 @@ struct EngineLitObject {
     // Gouraud: [slot] seen from the front, then [slot] from behind
     std::vector<float> radiance[3], dark[3];
     std::vector<std::uint8_t> needed;
-    // flat: [face]
+    // flat: [face slot]
     std::vector<float> centre[3], normal[3];
 };
 
@@ -82,6 +82,7 @@ private:
     const EngineScene& scene_;
     std::vector<Record>& records_;
     EngineLightMemory& memory_;
+    bool sees_all_ = false;
     const Lit kinds_[3];
 };
 

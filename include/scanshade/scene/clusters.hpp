@@ -20,7 +20,8 @@ inline constexpr std::uint32_t max_cluster_triangles = 112;
 inline constexpr int corner_bits = 6;
 inline constexpr int number_shift = 4 * corner_bits + 1;
 inline constexpr std::uint32_t number_bit = 1u << number_shift;
-static_assert(max_cluster_vertices == 1u << corner_bits);
+inline constexpr std::uint32_t face_numbers = 1u << (32 - number_shift);
+static_assert(max_cluster_vertices == 1u << corner_bits && max_cluster_triangles <= face_numbers);
 
 /// Neighbouring faces of one material with at most 64 vertices, all triangles or all quadrilaterals.
 struct Cluster {
