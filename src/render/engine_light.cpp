@@ -240,8 +240,7 @@ void EngineLight::light_faces(const Lit& lit, std::uint32_t number, Points& poin
                               EventCounts& events) {
     const BatchInfo& info = lit.store.info(number);
     const EngineLitObject& object = memory_.objects[info.object];
-    const std::uint32_t first =
-        scene_.objects[info.object].mesh->clusters[info.cluster].first_face;
+    const std::uint32_t first = scene_.objects[info.object].mesh->clusters[info.cluster].first_face;
     FaceArrays faces{};
     for (int c = 0; c < 3; ++c) {
         faces.centre[c] = object.centre[c].data() + first;

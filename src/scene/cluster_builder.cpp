@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <iterator>
+#include <numeric>
 
 namespace scanshade {
 namespace {
@@ -46,11 +48,6 @@ double sine_of_cone(const Mesh& mesh, const ClusterPiece& piece, const glm::dvec
 
 }  // namespace
 
-ClusterBuilder::ClusterBuilder(const Mesh& mesh) : mesh_(mesh) {
-    for (std::size_t i = 0; i < mesh.vertex_count(); ++i)
-        position_.insert(position_.end(), {mesh.x[i], mesh.y[i], mesh.z[i]});
-}
-
 void ClusterBuilder::add(const ClusterPiece& piece) {
     Cluster cluster{};
     cluster.first_vertex = std::uint32_t(out_.x.size());
@@ -86,9 +83,14 @@ void ClusterBuilder::add_vertex(std::uint32_t v) {
 }
 
 void ClusterBuilder::bound(const ClusterPiece& piece, Cluster& cluster) const {
+    std::vector<float> at;  // x, y, z by turns
+    for (const unsigned int v : piece.vertex)
+        at.insert(at.end(), {mesh_.x[v], mesh_.y[v], mesh_.z[v]});
+    unsigned int local[max_cluster_vertices];
+    std::iota(std::begin(local), std::end(local), 0u);
     const meshopt_Bounds bounds = meshopt_computeMeshletBounds(
-        piece.vertex.data(), piece.triangle_corner.data(), piece.triangle_corner.size() / 3,
-        position_.data(), mesh_.vertex_count(), 3 * sizeof(float));
+        local, piece.triangle_corner.data(), piece.triangle_corner.size() / 3, at.data(),
+        piece.vertex.size(), 3 * sizeof(float));
     for (std::size_t c = 0; c < 3; ++c) {
         cluster.centre[c] = bounds.center[c];
         cluster.axis[c] = bounds.cone_axis[c];
@@ -110,6 +112,25 @@ void ClusterBuilder::bound(const ClusterPiece& piece, Cluster& cluster) const {
     each_triangle(piece, [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
         cluster.least_height = std::min(cluster.least_height, height(mesh_, a, b, c));
     });
+}
+
+ClusteredMesh joined(const std::vector<ClusteredMesh>& parts) {
+    ClusteredMesh all;
+    const auto append = [](auto& to, const auto& from) {
+        to.insert(to.end(), from.begin(), from.end());
+    };
+    for (const ClusteredMesh& part : parts) {
+        for (Cluster cluster : part.clusters) {
+            cluster.first_vertex += std::uint32_t(all.x.size());
+            cluster.first_face += std::uint32_t(all.corners.size());
+            all.clusters.push_back(cluster);
+        }
+        append(all.x, part.x), append(all.y, part.y), append(all.z, part.z);
+        append(all.u, part.u), append(all.v, part.v), append(all.vertex, part.vertex);
+        append(all.corners, part.corners), append(all.triangle, part.triangle);
+        append(all.left_out, part.left_out);
+    }
+    return all;
 }
 
 }  // namespace scanshade

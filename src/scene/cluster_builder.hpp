@@ -20,21 +20,21 @@ struct ClusterPiece {
 
 class ClusterBuilder {
 public:
-    explicit ClusterBuilder(const Mesh& mesh);
+    explicit ClusterBuilder(const Mesh& mesh) : mesh_(mesh) {}
 
     void add(const ClusterPiece& piece);
     void leave_out(std::uint32_t face) { out_.left_out.push_back(face); }
     ClusteredMesh take() { return std::move(out_); }
-
-    const std::vector<float>& positions() const { return position_; }  // x, y, z by turns
 
 private:
     void add_vertex(std::uint32_t v);
     void bound(const ClusterPiece& piece, Cluster& cluster) const;
 
     const Mesh& mesh_;
-    std::vector<float> position_;
     ClusteredMesh out_;
 };
+
+/// All clusters of several parts of a mesh.
+ClusteredMesh joined(const std::vector<ClusteredMesh>& parts);
 
 }  // namespace scanshade

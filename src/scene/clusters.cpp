@@ -3,9 +3,12 @@
 #include <meshoptimizer.h>
 
 #include <algorithm>
+#include <memory>
 #include <numeric>
+#include <span>
 
 #include "scanshade/base/error.hpp"
+#include "scanshade/base/parallel.hpp"
 #include "scene/cluster_builder.hpp"
 
 namespace scanshade {
@@ -25,25 +28,69 @@ bool has_hub(const std::vector<unsigned int>& index, std::size_t vertices) {
                        [](std::uint32_t n) { return n > max_valence; });
 }
 
-/// Triangles ordered by material; within one, as in the mesh.
-std::vector<std::uint32_t> triangles_by_material(const Mesh& mesh) {
-    std::vector<std::uint32_t> order(mesh.triangle_count());
-    std::iota(order.begin(), order.end(), 0u);
-    const auto material = [&](std::uint32_t t) {
-        return mesh.face_material[mesh.triangle_face[t]];
-    };
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return material(a) < material(b); });
-    return order;
-}
+/// Triangles that are cut at once. Parts of a mesh are cut side by side, and faster than the whole:
+/// what is looked up stays in the caches.
+constexpr std::size_t chunk_triangles = 1 << 14;
+
+/// The mesh's triangles by material; of one material in chunks that are compact in space, unless one
+/// is enough.
+class Chunks {
+public:
+    explicit Chunks(const Mesh& mesh) : mesh_(mesh), order_(mesh.triangle_count()) {
+        std::iota(order_.begin(), order_.end(), 0u);
+        const auto by_material = [&](std::uint32_t a, std::uint32_t b) {
+            return material(a) < material(b);
+        };
+        if (!std::is_sorted(order_.begin(), order_.end(), by_material))
+            std::stable_sort(order_.begin(), order_.end(), by_material);
+        for (std::size_t begin = 0, end; begin < order_.size(); begin = end) {
+            for (end = begin + 1;
+                 end < order_.size() && material(order_[end]) == material(order_[begin]);)
+                ++end;
+            if (end - begin > chunk_triangles) sort_in_space(begin, end);
+            for (; begin < end; begin = std::min(begin + chunk_triangles, end))
+                first_.push_back(begin);
+        }
+        first_.push_back(order_.size());
+    }
+
+    std::size_t count() const { return first_.size() - 1; }
+    std::span<const std::uint32_t> chunk(std::size_t i) const {
+        return std::span(order_).subspan(first_[i], first_[i + 1] - first_[i]);
+    }
+
+private:
+    std::uint32_t material(std::uint32_t t) const {
+        return mesh_.face_material[mesh_.triangle_face[t]];
+    }
+
+    /// Along a curve that fills space.
+    void sort_in_space(std::size_t begin, std::size_t end) {
+        std::vector<float> centre;
+        centre.reserve(3 * (end - begin));
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto& [a, b, c] = mesh_.triangle[order_[i]];
+            for (const std::vector<float>* axis : {&mesh_.x, &mesh_.y, &mesh_.z})
+                centre.push_back((*axis)[a] + (*axis)[b] + (*axis)[c]);
+        }
+        std::vector<unsigned int> place(end - begin);
+        meshopt_spatialSortRemap(place.data(), centre.data(), end - begin, 3 * sizeof(float));
+        std::vector<std::uint32_t> sorted(end - begin);
+        for (std::size_t i = 0; i < place.size(); ++i) sorted[place[i]] = order_[begin + i];
+        std::copy(sorted.begin(), sorted.end(), order_.begin() + std::ptrdiff_t(begin));
+    }
+
+    const Mesh& mesh_;
+    std::vector<std::uint32_t> order_;
+    std::vector<std::size_t> first_;  // [chunk], and the end
+};
 
 /// The mesh's triangle for each one that meshoptimizer gives back: it keeps the corners' order but
 /// not the triangle's number. Equal triangles are told apart by taking each number once.
 class TriangleNumbers {
 public:
-    TriangleNumbers(const Mesh& mesh, const std::uint32_t* begin, const std::uint32_t* end) {
-        for (const std::uint32_t* t = begin; t != end; ++t)
-            numbers_.push_back({rotated(mesh.triangle[*t]), *t});
+    TriangleNumbers(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
+        for (const std::uint32_t t : triangles) numbers_.push_back({rotated(mesh.triangle[t]), t});
         std::sort(numbers_.begin(), numbers_.end());
         taken_.resize(numbers_.size());
     }
@@ -71,53 +118,79 @@ private:
     std::vector<std::uint32_t> taken_;  // [first of equal ones] how many
 };
 
-/// Cuts the triangles [begin, end), all of one material.
-void cut(const Mesh& mesh, const std::uint32_t* begin, const std::uint32_t* end,
-         ClusterBuilder& builder) {
-    std::vector<unsigned int> index;
-    for (const std::uint32_t* t = begin; t != end; ++t)
-        index.insert(index.end(), mesh.triangle[*t].begin(), mesh.triangle[*t].end());
-    const std::size_t most =
-        meshopt_buildMeshletsBound(index.size(), max_cluster_vertices, max_cluster_triangles);
-    std::vector<meshopt_Meshlet> meshlets(most);
-    std::vector<unsigned int> vertices(most * max_cluster_vertices);
-    std::vector<unsigned char> corners(most * max_cluster_triangles * 3);
-    if (has_hub(index, mesh.vertex_count()))  // as they come
-        meshlets.resize(meshopt_buildMeshletsScan(meshlets.data(), vertices.data(), corners.data(),
-                                                  index.data(), index.size(), mesh.vertex_count(),
-                                                  max_cluster_vertices, max_cluster_triangles));
-    else
-        meshlets.resize(meshopt_buildMeshlets(
-            meshlets.data(), vertices.data(), corners.data(), index.data(), index.size(),
-            builder.positions().data(), mesh.vertex_count(), 3 * sizeof(float),
-            max_cluster_vertices, max_cluster_triangles, cone_weight));
-    TriangleNumbers numbers(mesh, begin, end);
-    for (const meshopt_Meshlet& meshlet : meshlets) {
-        ClusterPiece piece{mesh.face_material[mesh.triangle_face[*begin]], 3, {}, {}, {}, {}};
-        const unsigned int* v = &vertices[meshlet.vertex_offset];
-        const unsigned char* l = &corners[meshlet.triangle_offset];
-        piece.vertex.assign(v, v + meshlet.vertex_count);
-        piece.corner.assign(l, l + 3 * meshlet.triangle_count);
-        piece.triangle_corner = piece.corner;
-        for (unsigned int t = 0; t < meshlet.triangle_count; ++t, l += 3)
-            piece.number.push_back(numbers.take({v[l[0]], v[l[1]], v[l[2]]}));
-        builder.add(piece);
+/// Cuts chunks, one after another.
+class Cutter {
+public:
+    explicit Cutter(const Mesh& mesh) : mesh_(mesh), local_(mesh.vertex_count(), no_index) {}
+
+    ClusteredMesh cut(std::span<const std::uint32_t> triangles) {
+        collect(triangles);
+        const std::size_t most =
+            meshopt_buildMeshletsBound(index_.size(), max_cluster_vertices, max_cluster_triangles);
+        std::vector<meshopt_Meshlet> meshlets(most);
+        std::vector<unsigned int> vertices(most * max_cluster_vertices);
+        std::vector<unsigned char> corners(most * max_cluster_triangles * 3);
+        if (has_hub(index_, vertex_.size()))  // as they come
+            meshlets.resize(meshopt_buildMeshletsScan(
+                meshlets.data(), vertices.data(), corners.data(), index_.data(), index_.size(),
+                vertex_.size(), max_cluster_vertices, max_cluster_triangles));
+        else
+            meshlets.resize(meshopt_buildMeshlets(
+                meshlets.data(), vertices.data(), corners.data(), index_.data(), index_.size(),
+                position_.data(), vertex_.size(), 3 * sizeof(float), max_cluster_vertices,
+                max_cluster_triangles, cone_weight));
+        TriangleNumbers numbers(mesh_, triangles);
+        ClusterBuilder builder(mesh_);
+        for (const meshopt_Meshlet& meshlet : meshlets) {
+            const unsigned char* l = &corners[meshlet.triangle_offset];
+            ClusterPiece piece{
+                mesh_.face_material[mesh_.triangle_face[triangles[0]]], 3, {}, {}, {}, {}};
+            for (unsigned int i = 0; i < meshlet.vertex_count; ++i)
+                piece.vertex.push_back(vertex_[vertices[meshlet.vertex_offset + i]]);
+            piece.corner.assign(l, l + 3 * meshlet.triangle_count);
+            piece.triangle_corner = piece.corner;
+            for (unsigned int t = 0; t < meshlet.triangle_count; ++t, l += 3)
+                piece.number.push_back(
+                    numbers.take({piece.vertex[l[0]], piece.vertex[l[1]], piece.vertex[l[2]]}));
+            builder.add(piece);
+        }
+        return builder.take();
     }
-}
+
+private:
+    /// The triangles' corners, numbered among themselves.
+    void collect(std::span<const std::uint32_t> triangles) {
+        for (const std::uint32_t v : vertex_) local_[v] = no_index;
+        index_.clear(), vertex_.clear(), position_.clear();
+        for (const std::uint32_t t : triangles)
+            for (const std::uint32_t v : mesh_.triangle[t]) {
+                if (local_[v] == no_index) {
+                    local_[v] = std::uint32_t(vertex_.size());
+                    vertex_.push_back(v);
+                    position_.insert(position_.end(), {mesh_.x[v], mesh_.y[v], mesh_.z[v]});
+                }
+                index_.push_back(local_[v]);
+            }
+    }
+
+    const Mesh& mesh_;
+    std::vector<std::uint32_t> local_;          // [the mesh's vertex] its number here
+    std::vector<unsigned int> index_, vertex_;  // of the chunk; vertex_: the mesh's
+    std::vector<float> position_;               // x, y, z by turns
+};
 
 }  // namespace
 
 ClusteredMesh build_clusters(const Mesh& mesh) {
-    const std::vector<std::uint32_t> order = triangles_by_material(mesh);
-    const auto material = [&](std::size_t i) {
-        return mesh.face_material[mesh.triangle_face[order[i]]];
-    };
-    ClusterBuilder builder(mesh);
-    for (std::size_t begin = 0, end; begin < order.size(); begin = end) {
-        for (end = begin + 1; end < order.size() && material(end) == material(begin);) ++end;
-        cut(mesh, order.data() + begin, order.data() + end, builder);
-    }
-    return builder.take();
+    const Chunks chunks(mesh);
+    std::vector<ClusteredMesh> parts(chunks.count());
+    std::vector<std::unique_ptr<Cutter>> cutters(static_cast<std::size_t>(available_threads()));
+    parallel_for(parts.size(), 1, 0, [&](std::size_t begin, std::size_t end, int worker) {
+        std::unique_ptr<Cutter>& cutter = cutters[std::size_t(worker)];
+        if (!cutter) cutter = std::make_unique<Cutter>(mesh);
+        for (std::size_t i = begin; i < end; ++i) parts[i] = cutter->cut(chunks.chunk(i));
+    });
+    return joined(parts);
 }
 
 const ClusteredMesh& clusters_of(const Mesh& mesh, bool whole) {
