@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "scanshade/base/events.hpp"
@@ -401,8 +402,12 @@ struct Surface {
     alignas(64) float counted[subtile_samples];  // 1: a surface, 0: none
     std::uint16_t tile_at[subtile_samples];      // [vector] of its first sample in the tile
     std::uint32_t vectors;
-    std::vector<Part> parts;
+    Part part[subtile_samples];
+    std::uint32_t part_count;
+    std::uint32_t covered;  // samples that show a surface
     std::vector<Open> open;
+
+    std::span<const Part> parts() const { return {part, part_count}; }
 };
 
 /// Finds the surface of subtile `subtile` of the tile at (x, y).

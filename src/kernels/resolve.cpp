@@ -25,7 +25,7 @@ public:
 
     void run(int subtile) {
         out_.vectors = 0;
-        out_.parts.clear();
+        out_.part_count = out_.covered = 0;
         out_.open.clear();
         const int sx = (subtile % 4) * subtile_side, sy = (subtile / 4) * subtile_side;
         if (!tile_.written[subtile])
@@ -44,6 +44,7 @@ private:
         std::uint32_t pending = mask_bits(tag_i, covered);
         if (pending == 0) return;
         const std::uint32_t number = out_.vectors++;
+        out_.covered += std::uint32_t(hn::CountTrue(tag_i, covered));
         out_.tile_at[number] = std::uint16_t(at);
         const MaskF seen = hn::RebindMask(tag_f, covered);
         const VecF one = hn::Set(tag_f, 1.0f);
@@ -56,7 +57,7 @@ private:
         s.inv_z = reciprocal(Lanes(s.z)).v;
         s.number = number;
         if (view_.position_from_depth) recover_position(s);
-        first_part_ = out_.parts.size();
+        first_part_ = out_.part_count;
         while (pending != 0)
             pending &= ~resolve_lanes(s, ref, tile_.ref[at + __builtin_ctz(pending)], pending);
     }
@@ -92,7 +93,8 @@ private:
             s.inv_z = reciprocal(Lanes(s.z)).v;
             if (view_.position_from_depth) recover_position(s);
             resolve_rows(s, r, shading, false, every, true);
-            first_part_ = out_.parts.size();
+            first_part_ = out_.part_count;
+            out_.covered += std::uint32_t(N);
             add_part(s.number, full, r.material, shading);
         }
     }
@@ -346,13 +348,13 @@ private:
     void add_part(std::uint32_t vector, std::uint32_t lanes, std::uint32_t material,
                   Shading shading) {
         const bool lit = shading != Shading::phong;
-        for (std::size_t i = first_part_; i < out_.parts.size(); ++i) {
-            Surface::Part& part = out_.parts[i];
+        for (std::uint32_t i = first_part_; i < out_.part_count; ++i) {
+            Surface::Part& part = out_.part[i];
             if (part.material != material || part.lit != lit) continue;
             part.lanes |= lanes;
             return;
         }
-        out_.parts.push_back({vector, lanes, material, lit});
+        out_.part[out_.part_count++] = {vector, lanes, material, lit};
     }
 
     static void store(float* to, std::uint32_t vector, VecF v) {
@@ -371,7 +373,7 @@ private:
     const int x_, y_;
     const TileBuffer& tile_;
     Surface& out_;
-    std::size_t first_part_ = 0;
+    std::uint32_t first_part_ = 0;
 };
 
 void resolve_here(const ResolveView& view, int x, int y, int subtile, const TileBuffer& tile,

@@ -48,8 +48,7 @@ std::uint64_t TileShader::shade(int x, int y, const TileBuffer& tile) {
             continue;
         }
         shade_subtile(x, y, s, tile);
-        for (std::size_t i = 0; i < surface_.parts.size(); ++i)
-            seen += static_cast<std::uint64_t>(__builtin_popcount(surface_.parts[i].lanes));
+        seen += surface_.covered;
     }
     if (shading_.frame.picture.id != nullptr && shading_.frame.first_sample)
         write_visibility(x, y, tile);
@@ -152,7 +151,7 @@ void TileShader::light_corners() {
 
 void TileShader::look_up_textures(int x, int y, const TileBuffer& tile) {
     const std::uint32_t lanes = shading_.resolve.raster.batches->lanes();
-    for (const Surface::Part& part : surface_.parts) {
+    for (const Surface::Part& part : surface_.parts()) {
         const Texture* texture = shading_.frame.scene.materials[part.material].map_kd.get();
         if (texture == nullptr) continue;
         for (std::uint32_t bits = part.lanes; bits != 0; bits &= bits - 1) {
@@ -222,11 +221,11 @@ void TileShader::illuminate() {
     if (plan.leaves_out(PlanRow::material_lookup) && surface_.vectors > 0) {
         saved[PlanRow::material_lookup] += {1, 1};
         float* radiance[3] = {surface_.radiance[0], surface_.radiance[1], surface_.radiance[2]};
-        return illuminate_all(surface_.parts.front().material, radiance);
+        return illuminate_all(surface_.part[0].material, radiance);
     }
     materials_.clear();
     bool lit = false;
-    for (const Surface::Part& part : surface_.parts) {
+    for (const Surface::Part& part : surface_.parts()) {
         lit |= part.lit;
         if (!part.lit &&
             std::find(materials_.begin(), materials_.end(), part.material) == materials_.end())
@@ -238,7 +237,7 @@ void TileShader::illuminate() {
     float* mixed[3] = {mixed_[0], mixed_[1], mixed_[2]};
     for (const std::uint32_t material : materials_) {
         illuminate_all(material, mixed);
-        for (const Surface::Part& part : surface_.parts) {
+        for (const Surface::Part& part : surface_.parts()) {
             if (part.lit || part.material != material) continue;
             for (std::uint32_t bits = part.lanes; bits != 0; bits &= bits - 1) {
                 const std::uint32_t at = part.vector * lanes + std::uint32_t(__builtin_ctz(bits));
