@@ -34,18 +34,40 @@ public:
                                      hn::Set(tag_f, row(row_edges + 6 + k))));
     }
 
-    /// The block whose corner is (X, Y) pixels from the origin; `at`: its index in the tile.
+    /// Vector v of the block whose corner is (X, Y) pixels from the origin.
+    struct Candidate {
+        VecF z;
+        MaskF inside;
+    };
+    HWY_INLINE Candidate candidate(float X, float Y, int v) const {
+        const VecF x = hn::Add(hn::Load(tag_f, grid.x + v * N), hn::Set(tag_f, X));
+        const VecF y = hn::Add(hn::Load(tag_f, grid.y + v * N), hn::Set(tag_f, Y));
+        const VecF least = hn::Min(edge(0, x, y), hn::Min(edge(1, x, y), edge(2, x, y)));
+        const ScreenPlane<Lanes> depth = {Lanes(row(row_depth)), Lanes(row(row_depth + 1)),
+                                          Lanes(row(row_depth + 2))};
+        return {plane_value(depth, Lanes(x), Lanes(y)).v, hn::Ge(least, hn::Zero(tag_f))};
+    }
+
+    /// That block; `at`: its index in the tile.
     HWY_INLINE void draw(const RasterView& view, float X, float Y, std::uint32_t ref, int at,
                          TileBuffer& tile) const {
         for (int v = 0; v < block_vectors; ++v) {
-            const VecF x = hn::Add(hn::Load(tag_f, grid.x + v * N), hn::Set(tag_f, X));
-            const VecF y = hn::Add(hn::Load(tag_f, grid.y + v * N), hn::Set(tag_f, Y));
-            const VecF least = hn::Min(edge(0, x, y), hn::Min(edge(1, x, y), edge(2, x, y)));
-            const MaskF inside = hn::Ge(least, hn::Zero(tag_f));
-            const ScreenPlane<Lanes> depth = {Lanes(row(row_depth)), Lanes(row(row_depth + 1)),
-                                              Lanes(row(row_depth + 2))};
-            put(view, plane_value(depth, Lanes(x), Lanes(y)).v, inside, ref,
-                tile.depth + at + v * N, tile.ref + at + v * N);
+            const Candidate c = candidate(X, Y, v);
+            put(view, c.z, c.inside, ref, tile.depth + at + v * N, tile.ref + at + v * N);
+        }
+    }
+
+    /// 2 × 2 blocks from the origin on, all without asking: a mispredicted branch costs more than an
+    /// empty block. First all values, which nothing that is stored can change.
+    HWY_INLINE void draw_four(const RasterView& view, std::uint32_t ref, int at,
+                              TileBuffer& tile) const {
+        for (int v = 0; v < block_vectors; ++v) {
+            const Candidate c[4] = {candidate(0, 0, v), candidate(4, 0, v), candidate(0, 4, v),
+                                    candidate(4, 4, v)};
+            for (int i = 0; i < 4; ++i) {
+                const int to = at + (i / 2 * tile_block_columns + i % 2) * block_samples + v * N;
+                put(view, c[i].z, c[i].inside, ref, tile.depth + to, tile.ref + to);
+            }
         }
     }
 
@@ -69,12 +91,8 @@ inline void draw_small(const RasterView& view, int x, int y, const std::uint32_t
     for (std::uint32_t i = 0; i < count; ++i) {
         const BatchTriangle t(*view.batches, refs[i]);
         const int at = block_at((t.origin_x() - x) / block_side, (t.origin_y() - y) / block_side);
-        // All four, without asking: a mispredicted branch costs more than an empty block. What lies
-        // beyond the tile's edge is in no triangle of this list.
-        t.draw(view, 0, 0, refs[i], at, tile);
-        t.draw(view, 4, 0, refs[i], at + block_samples, tile);
-        t.draw(view, 0, 4, refs[i], at + tile_block_columns * block_samples, tile);
-        t.draw(view, 4, 4, refs[i], at + (tile_block_columns + 1) * block_samples, tile);
+        // What lies beyond the tile's edge is in no triangle of this list.
+        t.draw_four(view, refs[i], at, tile);
     }
 }
 
