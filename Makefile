@@ -29,7 +29,7 @@ export PYTHONDONTWRITEBYTECODE := 1
 -include Makefile.local
 
 # ---- files ---------------------------------------------------------------------------------------
-LIB_SOURCES    := $(filter-out src/cli/% src/viewer/%,$(wildcard src/*/*.cpp))
+LIB_SOURCES    := $(filter-out src/cli/% src/viewer/%,$(wildcard src/*/*.cpp src/*/*/*.cpp))
 CLI_SOURCES    := $(wildcard src/cli/*.cpp)
 # The viewer takes its options, errors and exit status from the same files.
 VIEWER_SOURCES := $(wildcard src/viewer/*.cpp) \
@@ -250,7 +250,7 @@ golden-accept:  ## take one picture over: build/golden/NAME.png becomes golden/N
 	else echo "golden/$(NAME).png is new"; fi
 	cp 'build/golden/$(NAME).png' 'golden/$(NAME).png'
 
-TIDIED = $(wildcard src/*/*.cpp)
+TIDIED = $(wildcard src/*/*.cpp src/*/*/*.cpp)
 .PHONY: lint
 lint:  ## clang-tidy, cppcheck and a build with clang, as far as they are installed; takes minutes
 	@if command -v clang-tidy >/dev/null; then \
