@@ -33,7 +33,7 @@ LIB_SOURCES    := $(filter-out src/cli/% src/viewer/%,$(wildcard src/*/*.cpp src
 CLI_SOURCES    := $(wildcard src/cli/*.cpp)
 # The viewer takes its options, errors and exit status from the same files.
 VIEWER_SOURCES := $(wildcard src/viewer/*.cpp) \
-                  $(patsubst %,src/cli/%.cpp,options console)
+                  $(patsubst %,src/cli/%.cpp,options console shipped)
 # What tests link of the programs: nothing of it sees SDL.
 TESTED_SOURCES := $(patsubst %,src/viewer/%.cpp,actions camera_control files light_control picture \
                     view_edit view_state) src/cli/lettering.cpp

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "report/lessons/rows.hpp"
 #include "report/lessons/work.hpp"
 #include "scanshade/base/error.hpp"
@@ -13,6 +15,7 @@ namespace scanshade {
 namespace {
 
 std::string fact_text(double value) {
+    if (std::isinf(value)) return "∞";
     return value == double(long(value)) ? fmt::format("{:.0f}", value)
                                         : fmt::format("{:.4g}", value);
 }
@@ -83,6 +86,14 @@ const LessonInfo& find_lesson(std::string_view name) {
     }
     throw Error(Errc::usage,
                 fmt::format("lesson '{}' is unknown{}", name, suggestion(name, names)));
+}
+
+const LessonInfo* lesson_of(const std::filesystem::path& scene) {
+    if (scene.extension() != ".toml" || scene.parent_path().filename() != "lessons") return nullptr;
+    const std::string name = scene.stem().string();
+    for (const LessonInfo* lesson : all_lessons())
+        if (lesson->name == name) return lesson;
+    return nullptr;
 }
 
 std::vector<std::string> command_lines(const LessonInfo& lesson) {

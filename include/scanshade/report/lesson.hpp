@@ -44,6 +44,9 @@ std::span<const LessonInfo* const> all_lessons();
 /// Throws Error(usage) that names the nearest one.
 const LessonInfo& find_lesson(std::string_view name);
 
+/// The lesson whose scene a file is: lessons/<name>.toml in any folder; null: of none.
+const LessonInfo* lesson_of(const std::filesystem::path& scene);
+
 /// The lines to type: first the viewer on the lesson's scene.
 std::vector<std::string> command_lines(const LessonInfo& lesson);
 

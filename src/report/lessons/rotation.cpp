@@ -96,7 +96,7 @@ constexpr LessonQuestion questions[] = {
 
 constinit const LessonInfo rotation{
     "rotation",
-    "Bilinear interpolation and how a polygon lies",
+    "Bilinear interpolation and rotation",
     "Interpolated along edges and spans, a quadrilateral changes its inside when it turns.",
     equations,
     commands,
