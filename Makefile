@@ -161,6 +161,7 @@ demo: deps-demo  ## draw the teapot into build/demo.png
 	@echo 'build/demo.png is $(DEMO_SCENE), lit at every pixel. Try next:'
 	@echo '  $(CLI) render $(DEMO_SCENE) --shading gouraud -o build/gouraud.png'
 	@echo '  $(CLI) sheet $(DEMO_SCENE) -o build/sheet.png   every shading with every model'
+	@echo '  $(CLI) lesson all -o build/lessons                 a booklet on shading: index.html'
 	@echo '  $(CLI) --help'
 	@echo '  make deps && make && $(CLI) view $(DEMO_SCENE)   in a window'
 
@@ -195,6 +196,11 @@ report: deps-report  ## all reports, into build/report/: error, plan, speed, sta
 	@$(CLI) report speed -o build/report/speed
 	@$(CLI) report error -o build/report/error
 	@$(CLI) report stability -o build/report/stability
+
+.PHONY: lessons
+lessons: deps-demo  ## a booklet on shading, into build/lessons/index.html
+	@$(SUBMAKE) $(CLI)
+	@$(CLI) lesson all -o build/lessons
 
 CHECKS := check-selftest check-layers check-equations check-format check-headers
 HEADERS := $(shell find include -name '*.hpp' 2>/dev/null | sort)

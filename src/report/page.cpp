@@ -43,7 +43,9 @@ tr { break-inside: avoid; }
 @media print { body { max-width: none; font-size: 10pt; } .scroll, figure { overflow: visible; }
                details::details-content { content-visibility: visible; display: block; }
                h2[id] { break-before: page; } h2, h3 { break-after: avoid; }
-               pre { white-space: pre-wrap; } .figures img { max-height: 7.5cm; width: auto; }
+               pre { white-space: pre-wrap; font-size: 8pt; break-inside: avoid; }
+               .lead { font-size: 11pt; } figcaption { font-size: 8pt; }
+               figure[style] { max-width: 4.2cm; } figure.wide[style] { max-width: 8.6cm; }
                table { font-size: 8pt; } th, td { padding: .1rem .3rem; } }
 )";
 

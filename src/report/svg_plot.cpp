@@ -11,7 +11,7 @@
 namespace scanshade {
 namespace {
 
-constexpr double width = 520, height = 340, left = 62, right = 140, top = 28, bottom = 46;
+constexpr double width = plot_width, height = 340, left = 62, right = 140, top = 28, bottom = 46;
 // Colours that stay apart for colour-blind readers (Okabe and Ito 2008).
 constexpr std::string_view colours[] = {"#0072b2", "#d55e00", "#009e73",
                                         "#cc79a7", "#e69f00", "#56b4e9"};

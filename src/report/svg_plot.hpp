@@ -9,6 +9,8 @@
 
 namespace scanshade {
 
+inline constexpr int plot_width = 520;  // pixels
+
 struct PlotPoint {
     double x, y;
 };

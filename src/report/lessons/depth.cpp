@@ -88,12 +88,12 @@ double lost_pixels(const Framebuffer& got, const Framebuffer& road) {
 void fill_depth(LessonWork& work) {
     work.paragraph(
         "A projection gives far distances few of the numbers between 0 and 1: half of them are "
-        "spent on "
-        "the first two near distances. Floats are dense near 0 and sparse near 1. The classic "
-        "order, 0 at the "
-        "near plane and 1 far away, puts the sparse end where numbers are scarce already; "
-        "reversed, "
-        "near/w, the one makes up for the other.");
+        "spent "
+        "before the distance has doubled from the near plane. Floats are dense near 0 and sparse "
+        "near "
+        "1. The classic order, 0 at the near plane and 1 far away, puts the sparse end where "
+        "numbers are "
+        "scarce already; in the reversed order, near/w, the one makes up for the other.");
     const ReportInput input = work.input();
     const Planes planes{*input.scene.camera->near, *input.scene.camera->far};
     const Framebuffer plain = draw_planes(with_object(input, 0)),

@@ -56,7 +56,7 @@ Figure LessonWork::picture(std::string_view file, const LessonOptions& options,
 Figure LessonWork::plot(std::string_view file, const std::string& svg, std::string caption) const {
     const std::string name = fmt::format("{}-{}.svg", lesson_.name, file);
     write_file(svg, path_of(name));
-    return {name, std::move(caption), true, 0};
+    return {name, std::move(caption), true, plot_width};
 }
 
 double LessonWork::measured(std::string what, double value, std::string unit) {
