@@ -113,8 +113,8 @@ LessonsWritten write_lessons(std::span<const LessonInfo* const> lessons,
         "Lessons in shading",
         "Each lesson is a scene to look at, to change and to measure. All pictures, plots and "
         "numbers of this page were made by the program that wrote it. Three choices are kept "
-        "apart: the shading (where light is evaluated: flat, gouraud, phong), the brdf (what "
-        "is evaluated there) and the interpolation (how values travel inside a polygon).");
+        "apart: the shading (where light is evaluated: flat, gouraud, phong), the brdf (what is "
+        "evaluated there) and the interpolation (how values travel inside a polygon).");
     std::vector<const LessonInfo*> done;
     Page body;
     for (const LessonInfo* lesson : lessons) {

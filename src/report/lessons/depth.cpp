@@ -52,6 +52,7 @@ const Format formats[] = {
      [](double z) { return double(std::nextafter(float(z), -2.0f)); },
      [](double z, const Planes& p) { return p.near / z; }},
 };
+const Format &standard_float = formats[2], &reversed_float = formats[3];
 
 /// The distance between two neighbouring numbers of the format, at w; infinite beyond the last.
 double resolution(const Format& format, double w, const Planes& p) {
@@ -85,19 +86,26 @@ double lost_pixels(const Framebuffer& got, const Framebuffer& road) {
     return count;
 }
 
+Curve resolution_curve(const Format& format, const Axes& axes, const Planes& planes) {
+    Curve curve{format.name, {}};
+    const auto value = [&](double w) { return resolution(format, w, planes); };
+    for (const PlotPoint& p : sampled("", axes, value, 121).points)
+        if (p.y < no_more) curve.points.push_back(p);
+    curve.dashed = &format == &standard_float;  // it lies over that of 24 bits
+    return curve;
+}
+
 void fill_depth(LessonWork& work) {
     work.paragraph(
         "A projection gives far distances few of the numbers between 0 and 1: half of them are "
-        "spent "
-        "before the distance has doubled from the near plane. Floats are dense near 0 and sparse "
-        "near "
-        "1. The classic order, 0 at the near plane and 1 far away, puts the sparse end where "
-        "numbers are "
-        "scarce already; in the reversed order, near/w, the one makes up for the other.");
+        "spent before the distance has doubled from the near plane. Floats are dense near 0 and "
+        "sparse near 1. The classic order, 0 at the near plane and 1 far away, puts the sparse end "
+        "where numbers are scarce already; in the reversed order, near/w, the one makes up for the "
+        "other.");
     const ReportInput input = work.input();
     const Planes planes{*input.scene.camera->near, *input.scene.camera->far};
-    const Framebuffer plain = draw_planes(with_object(input, 0)),
-                      road = draw_planes(with_object(input, 1));
+    const Framebuffer plain = draw_planes(with_object(input, 0));
+    const Framebuffer road = draw_planes(with_object(input, 1));
     std::vector<Figure> figures;
     std::vector<Curve> curves;
     const Axes axes{
@@ -109,24 +117,16 @@ void fill_depth(LessonWork& work) {
         figures.push_back(
             work.picture(format.file, shown(frame, input.settings),
                          fmt::format("{}: {:.0f} pixels of the road lost", format.name, lost)));
-        Curve curve{format.name, {}};
-        for (const PlotPoint& p :
-             sampled(
-                 "", axes, [&](double w) { return resolution(format, w, planes); }, 121)
-                 .points)
-            if (p.y < no_more) curve.points.push_back(p);
-        curve.dashed = &format == &formats[2];  // it lies over the one before
-        curves.push_back(std::move(curve));
+        curves.push_back(resolution_curve(format, axes, planes));
         work.measured(fmt::format("{}: resolution at w = 100", format.name),
                       resolution(format, 100, planes), "units");
     }
     work.figures(figures);
     work.paragraph(
         fmt::format("The road lies 0.01 above the plain, the near plane at {:g}, the far one at "
-                    "{:g}. Both surfaces "
-                    "were drawn alone, and then each format was given their depths. Where it keeps "
-                    "the same number "
-                    "for both, or they swap, the plain shows through.",
+                    "{:g}. Both surfaces were drawn alone, and then each format was given their "
+                    "depths. Where it keeps the same number for both, or they swap, the plain "
+                    "shows through.",
                     planes.near, planes.far));
     work.figures(
         {work.plot("resolution", line_plot(axes, curves),
@@ -134,7 +134,7 @@ void fill_depth(LessonWork& work) {
                    "depth loses with w², reversed float only with w. Standard float is no better "
                    "than 24 bits: between ½ and 1 a float has 24 bits, too.")});
     work.measured("standard float against reversed, at w = 100",
-                  resolution(formats[2], 100, planes) / resolution(formats[3], 100, planes),
+                  resolution(standard_float, 100, planes) / resolution(reversed_float, 100, planes),
                   "times");
 }
 
@@ -150,12 +150,10 @@ constexpr LessonCommand commands[] = {
 constexpr LessonQuestion questions[] = {
     {"The near plane moves from 0.0001 to 0.001: what does each format gain?",
      "Standard formats ten times the resolution everywhere, for it goes with w²/near. Reversed "
-     "float "
-     "gains nothing: its relative resolution is that of floats."},
+     "float gains nothing: its relative resolution is that of floats."},
     {"Why does the far plane hardly matter?",
      "With far much larger than near, z is about 1 − near/w: far drops out. This program uses "
-     "near/w "
-     "itself, and far only clips."},
+     "near/w itself, and far only clips."},
     {"Would reversing help a buffer of 24-bit integers?",
      "No: integers are equally dense everywhere, so the order does not matter."},
 };

@@ -61,46 +61,47 @@ double largest(const std::vector<Curve>& curves) {
     return y;
 }
 
+/// Under one light, and in the furnace.
+void show_model(LessonWork& work, const std::string& brdf) {
+    const std::string name = brdf == "phong" ? "shininess" : "n";
+    std::vector<Figure> figures;
+    for (const double n : exponents)
+        figures.push_back(
+            work.picture(fmt::format("{}-{:g}", brdf, n),
+                         with_parameter(work.input({{"brdf", brdf}, {"exposure", "-1"}}), name, n),
+                         fmt::format("{}, n = {:g}, one light", brdf, n)));
+    for (const double n : {exponents[0], exponents[1]})
+        figures.push_back(work.picture(fmt::format("{}-furnace-{:g}", brdf, n),
+                                       furnace(work, brdf, n),
+                                       fmt::format("{}, n = {:g}, in a furnace", brdf, n)));
+    work.figures(figures);
+}
+
+Figure albedo_plot(LessonWork& work, const std::string& brdf) {
+    std::vector<Curve> curves;
+    for (const double n : exponents) curves.push_back(albedo_curve(brdf, n));
+    work.measured(fmt::format("{}: largest albedo", brdf), largest(curves));
+    work.measured(fmt::format("{}: albedo at n = {:g}, from above", brdf, exponents[2]),
+                  curves.back().points.front().y);
+    return work.plot(
+        brdf + "-albedo",
+        line_plot({"θ_o in degrees", "albedo ρ(ω_o)", 0, 90, false, false, 0, 1.6}, curves),
+        brdf + ": the part of uniform light that a viewer sees again.");
+}
+
 void fill_energy(LessonWork& work) {
     work.paragraph(
         "A surface must not give back more light than it gets. Phong's model keeps the peak of the "
         "highlight whatever its width, so a wide one (n < 1) gives back too much and a narrow one "
         "almost nothing. The modified model is normalised: its factor (n + 2)/2 raises the peak as "
         "the lobe narrows, so that ρ_s is the reflected part.");
-    for (const std::string brdf : {"phong", "modified-phong"}) {
-        std::vector<Figure> lit, white;
-        for (const double n : exponents) {
-            const std::string name = brdf == "phong" ? "shininess" : "n";
-            lit.push_back(work.picture(
-                fmt::format("{}-{:g}", brdf, n),
-                with_parameter(work.input({{"brdf", brdf}, {"exposure", "-1"}}), name, n),
-                fmt::format("{}, n = {:g}, one light", brdf, n)));
-        }
-        for (const double n : {exponents[0], exponents[1]})
-            white.push_back(work.picture(fmt::format("{}-furnace-{:g}", brdf, n),
-                                         furnace(work, brdf, n),
-                                         fmt::format("{}, n = {:g}, in a furnace", brdf, n)));
-        lit.insert(lit.end(), white.begin(), white.end());
-        work.figures(lit);
-    }
+    for (const char* brdf : {"phong", "modified-phong"}) show_model(work, brdf);
     work.paragraph(
         "In the furnace light of the same radiance comes from everywhere. A ball that gives back "
-        "all "
-        "of it would vanish before the background; a brighter one breaks the law, a darker one "
-        "loses "
-        "light. k_d = k_s = ρ_d = ρ_s = ½ everywhere.");
+        "all of it would vanish before the background; a brighter one breaks the law, a darker one "
+        "loses light. k_d = k_s = ρ_d = ρ_s = ½ everywhere.");
     std::vector<Figure> plots;
-    for (const std::string brdf : {"phong", "modified-phong"}) {
-        std::vector<Curve> curves;
-        for (const double n : exponents) curves.push_back(albedo_curve(brdf, n));
-        work.measured(fmt::format("{}: largest albedo", brdf), largest(curves));
-        work.measured(fmt::format("{}: albedo at n = 400, from above", brdf),
-                      curves.back().points.front().y);
-        plots.push_back(work.plot(
-            brdf + "-albedo",
-            line_plot({"θ_o in degrees", "albedo ρ(ω_o)", 0, 90, false, false, 0, 1.6}, curves),
-            brdf + ": the part of uniform light that a viewer sees again."));
-    }
+    for (const char* brdf : {"phong", "modified-phong"}) plots.push_back(albedo_plot(work, brdf));
     work.figures(plots);
     const Framebuffer frame = draw_planes(furnace(work, "modified-phong", 20));
     work.measured("modified-phong, n = 20: middle of the ball in the furnace",
@@ -125,8 +126,7 @@ constexpr LessonQuestion questions[] = {
      "albedo falls below ρ_d + ρ_s."},
     {"Which of the two is reciprocal?",
      "The modified one: cosθ_r is the same with light and viewer exchanged. Phong's reflected "
-     "light has "
-     "no cosθ_i in its specular part, so its f_r has 1/cosθ_i."},
+     "light has no cosθ_i in its specular part, so its f_r has 1/cosθ_i."},
     {"A narrower highlight of the modified model saturates the picture. Is that wrong?",
      "No: the same light in a smaller angle is brighter. Exposure, not the model, is to be "
      "changed."},

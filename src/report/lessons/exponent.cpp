@@ -28,10 +28,8 @@ double drawn_half_width(const Framebuffer& frame, double radius) {
 void fill_exponent(LessonWork& work) {
     work.paragraph(
         "The exponent n of cosⁿ sets the width of a highlight and nothing else: the peak stays "
-        "k_s. "
-        "Its half width is arccos(2^(−1/n)), about 67°/√n: a hundred times the exponent is a tenth "
-        "of "
-        "the width.");
+        "k_s. Its half width is arccos(2^(−1/n)), about 67°/√n: a hundred times the exponent is a "
+        "tenth of the width.");
     std::vector<Figure> figures;
     for (const int s : {1, 10, 100, 1000, 10000})
         figures.push_back(work.picture(fmt::format("{}", s),
@@ -58,9 +56,9 @@ void fill_exponent(LessonWork& work) {
     work.figures(
         {work.plot("lobes", line_plot(angles, lobes), "The highlight over the angle."),
          work.plot("width", line_plot(exponents, {drawn, theory}),
-                   "Its half width, from pictures with one sample a pixel and from the "
-                   "equation. At the end the highlight is narrower than a pixel: there what "
-                   "is drawn is a matter of luck, and samples must help.")});
+                   "Its half width, from pictures with one sample a pixel and from the equation. "
+                   "At the end the highlight is narrower than a pixel: there what is drawn is a "
+                   "matter of luck, and samples must help.")});
     work.measured("half width at n = 100, drawn",
                   drawn_half_width(draw_planes(with_parameter(plain, "shininess", 100)), radius),
                   "degrees");
@@ -82,12 +80,10 @@ constexpr LessonCommand commands[] = {
 constexpr LessonQuestion questions[] = {
     {"Why does the peak not rise when the highlight gets narrower?",
      "This model is not normalised: it leaves the peak and so loses light, about as 1/n. The "
-     "lesson "
-     "on energy shows the normalised form."},
+     "lesson on energy shows the normalised form."},
     {"How can xⁿ with a whole n be computed with few products?",
      "By squaring: x, x², x⁴, ... and the product of those that the bits of n name, at most 2 log2 "
-     "n "
-     "products. Each squaring doubles the relative error, so it is about n units of rounding."},
+     "n products. Each squaring doubles the relative error, so it is about n units of rounding."},
     {"What happens to a small highlight under one sample a pixel when the ball moves?",
      "It flickers: sometimes a sample meets it, sometimes none does. That is aliasing, and no "
      "property of the model."},

@@ -101,8 +101,8 @@ void add_closed_surface(LessonWork& work) {
     const Counts counts = drawn_counts(torus);
     work.paragraph(
         "So a closed surface has no holes: seen from outside, a ray enters it as often as it "
-        "leaves, "
-        "and each sample is covered an even number of times, exactly. No tolerance is needed.");
+        "leaves, and each sample is covered an even number of times, exactly. No tolerance is "
+        "needed.");
     work.figures(
         {work.picture("torus", torus, "a torus"),
          work.picture("overdraw", to_image(view.pixels),
@@ -118,14 +118,10 @@ void add_closed_surface(LessonWork& work) {
 void fill_fill_rule(LessonWork& work) {
     work.paragraph(
         "A pixel is drawn where its sample, the centre, lies inside a triangle. Where an edge "
-        "meets a "
-        "sample exactly, somebody must own it: if both neighbours do, it is drawn twice, which "
-        "shows "
-        "where colours are added; if none does, there is a crack. The top-left rule gives it to "
-        "the "
-        "triangle for which the edge is a left or a top one. Corners are snapped to 1/256 pixel, "
-        "so that "
-        "the question has an exact answer in integers.");
+        "meets a sample exactly, somebody must own it: if both neighbours do, it is drawn twice, "
+        "which shows where colours are added; if none does, there is a crack. The top-left rule "
+        "gives it to the triangle for which the edge is a left or a top one. Corners are snapped "
+        "to 1/256 pixel, so that the question has an exact answer in integers.");
     const ReportInput input = work.input();
     const Framebuffer frame = draw_planes(input);
     const std::vector<Outline> triangles = seen_triangles(input, frame);
@@ -163,12 +159,10 @@ constexpr LessonCommand commands[] = {
 constexpr LessonQuestion questions[] = {
     {"Why is a small tolerance at edges no remedy for cracks?",
      "It draws samples near an edge twice, and which ones depends on rounding. Exact integers need "
-     "no "
-     "tolerance."},
+     "no tolerance."},
     {"What does snapping cost?",
      "Corners move by at most 1/512 pixel in each direction. Neighbours share corners, so they "
-     "move "
-     "together and no crack opens."},
+     "move together and no crack opens."},
     {"In the overdraw view of a closed surface a pixel has an odd count. What is wrong?",
      "The mesh is not closed there, a sample is lost or drawn twice, or the camera is inside."},
 };

@@ -37,22 +37,8 @@ double matching_factor(const LessonWork& work, double exponent, double degrees) 
     });
 }
 
-void fill_half_vector(LessonWork& work) {
-    work.paragraph(
-        "Phong's model raises the cosine of the angle between viewer and mirror direction, (R·V)ⁿ; "
-        "Blinn's the cosine of the angle between normal and half vector, (N·H)ⁿ. The second angle "
-        "is "
-        "about half of the first, and cos⁴ᵃ(θ/2) ≈ cosᵃ θ for small θ: Blinn-Phong needs about "
-        "four "
-        "times the exponent. Printed as an approximation with the same exponent, it is none.");
-    work.figures({work.picture("phong", LessonOptions{}, "phong, n = 40"),
-                  work.picture("blinn-40", {{"brdf", "blinn-phong"}}, "blinn-phong, n = 40"),
-                  work.picture("blinn-160", {{"brdf", "blinn-phong"}, {"set", "shininess=160"}},
-                               "blinn-phong, n = 160")});
-    work.paragraph(
-        "On the ball the two can be matched. On the floor they cannot: towards grazing angles "
-        "Blinn's highlight is a streak, as wet roads show it, while Phong's stays round.");
-
+/// Which factor fits best, for all exponents and for lights from the side.
+void plot_factors(LessonWork& work) {
     Curve by_exponent{"best factor", {}}, by_angle{"best factor", {}};
     for (const double n : {4.0, 10.0, 25.0, 60.0, 150.0, 400.0})
         by_exponent.points.push_back({n, matching_factor(work, n, 10)});
@@ -66,20 +52,36 @@ void fill_half_vector(LessonWork& work) {
         const double c = std::cos(degrees / 2 * pi / 180);
         return 4 * c * c;
     };
-    Curve along = sampled("4, along", angles, four),
-          beside = sampled("4 cos²θ, across", angles, across);
+    Curve along = sampled("4, along", angles, four);
+    Curve beside = sampled("4 cos²θ, across", angles, across);
     Curve theory = sampled("4", exponents, four);
     along.dashed = beside.dashed = theory.dashed = true;
     work.figures(
         {work.plot("exponents", line_plot(exponents, {by_exponent, theory}),
-                   "The factor that makes the two pictures of the ball most alike, by "
-                   "search for the least RMSE; light beside the camera."),
+                   "The factor that makes the two pictures of the ball most alike, by search for "
+                   "the least RMSE; light beside the camera."),
          work.plot("angles", line_plot(angles, {by_angle, along, beside}),
-                   "The same for n = 60 and a light that moves away: across the plane of "
-                   "light and camera the mirror direction turns slower than twice the normal, "
-                   "by cosθ, so no factor fits both ways.")});
+                   "The same for n = 60 and a light that moves away: across the plane of light and "
+                   "camera the mirror direction turns slower than twice the normal, by cosθ, so no "
+                   "factor fits both ways.")});
     work.measured("best factor for n = 60, light near the camera", by_angle.points.front().y);
     work.measured("best factor for n = 60, light at 120°", by_angle.points.back().y);
+}
+
+void fill_half_vector(LessonWork& work) {
+    work.paragraph(
+        "Phong's model raises the cosine of the angle between viewer and mirror direction, (R·V)ⁿ; "
+        "Blinn's the cosine of the angle between normal and half vector, (N·H)ⁿ. The second angle "
+        "is about half of the first, and cos⁴ᵃ(θ/2) ≈ cosᵃ θ for small θ: Blinn-Phong needs about "
+        "four times the exponent. Printed as an approximation with the same exponent, it is none.");
+    work.figures({work.picture("phong", LessonOptions{}, "phong, n = 40"),
+                  work.picture("blinn-40", {{"brdf", "blinn-phong"}}, "blinn-phong, n = 40"),
+                  work.picture("blinn-160", {{"brdf", "blinn-phong"}, {"set", "shininess=160"}},
+                               "blinn-phong, n = 160")});
+    work.paragraph(
+        "On the ball the two can be matched. On the floor they cannot: towards grazing angles "
+        "Blinn's highlight is a streak, as wet roads show it, while Phong's stays round.");
+    plot_factors(work);
 }
 
 constexpr LessonEquation equations[] = {
@@ -95,8 +97,7 @@ constexpr LessonCommand commands[] = {
 constexpr LessonQuestion questions[] = {
     {"Where does the four come from?",
      "Near its peak cosⁿθ ≈ exp(−nθ²/2). Half the angle is a quarter of θ², so four times the "
-     "exponent "
-     "gives the same curve."},
+     "exponent gives the same curve."},
     {"Why is the half vector cheaper for a directional light and an orthographic camera?",
      "H is then the same everywhere, while R must be computed from each normal."},
     {"Which of the two can still show light where R·V < 0?",

@@ -78,8 +78,7 @@ constexpr LessonCommand commands[] = {
 constexpr LessonQuestion questions[] = {
     {"Interpolated light never exceeds the light at the corners. What follows for highlights?",
      "Weights are between 0 and 1 and sum to 1, so inside a polygon no value exceeds the largest "
-     "of "
-     "its corners: a maximum inside a face is lost, never exaggerated."},
+     "of its corners: a maximum inside a face is lost, never exaggerated."},
     {"Why does a lower exponent make gouraud shading look right?",
      "The highlight gets wider than a face. What varies slowly between two vertices is close to "
      "linear, and then linear interpolation is close to right."},

@@ -77,11 +77,9 @@ double difference_by_hand(const LessonWork& work, const Law& law) {
 void fill_attenuation(LessonWork& work) {
     work.paragraph(
         "Light of a small lamp spreads over spheres, so it weakens with the square of the "
-        "distance. "
-        "Classic pictures use f_att = 1/(c + l d + q d²) instead: c keeps it finite close to the "
-        "lamp, "
-        "l makes the fall gentler than physics, c alone switches it off. The darkening on this "
-        "floor is f_att times cosθ_i, which falls with the distance as well.");
+        "distance. Classic pictures use f_att = 1/(c + l d + q d²) instead: c keeps it finite "
+        "close to the lamp, l makes the fall gentler than physics, c alone switches it off. The "
+        "darkening on this floor is f_att times cosθ_i, which falls with the distance as well.");
     std::vector<Figure> figures;
     std::vector<Curve> near, far;
     const Axes near_axes{"distance d", "f_att", 0, 4, false, false, 0, 2};
@@ -119,8 +117,7 @@ constexpr LessonQuestion attenuation_questions[] = {
      "It comes from so far away that all distances in the scene are the same in proportion."},
     {"A disc of area A lights a point on its axis as 1/(A/π + d²). What does that say about c?",
      "c = A/π with q = 1 is the attenuation of a lamp of finite size, times its own area: the "
-     "constant is "
-     "physics, too. The Cornell box of models/scenes uses it."},
+     "constant is physics, too. The Cornell box of models/scenes uses it."},
     {"What does a renderer gain where c alone is set?",
      "Distances need not be computed: the row 'attenuation' of scanshade explain says so."},
 };
@@ -142,29 +139,13 @@ double emitted(const Light& light, double angle) {
     return spot_light(w, down, cutoff, inner > cutoff ? 1 / (inner - cutoff) : 0);
 }
 
-void fill_lights(LessonWork& work) {
-    work.paragraph(
-        "A spot light shines into a cone of half angle τ, with a hard rim as printed or with a "
-        "soft "
-        "one inside of it. A cosine light is a small flat lamp: full ahead, nothing to the sides "
-        "or "
-        "behind. Both are point lights whose intensity depends on the direction.");
-    const int fine = 64;
-    work.figures(
-        {work.picture("phong", {{"shading", "phong"}}, "phong shading"),
-         work.picture("gouraud", {{"shading", "gouraud"}}, "gouraud shading of the same floor"),
-         work.picture("gouraud-fine", with_tessellation(work.input({{"shading", "gouraud"}}), fine),
-                      "gouraud shading, 64 × 64 faces")});
-    work.paragraph(
-        "The rim of a spot is a high frequency. Gouraud shading samples it at vertices only: the "
-        "pool "
-        "of light takes the shape of the faces that touch it.");
+/// What each light sends out, and what of it arrives on the floor.
+void plot_lights(LessonWork& work) {
     constexpr double angle = 2;
-    LessonOptions options = from_above(angle);
     const char* names[] = {"spot", "soft spot", "cosine"};
     const Axes angles{"angle from the axis, degrees", "I(ω)/I₀", 0, 100};
     std::vector<Curve> emission, floor;
-    const ReportInput input = work.input(options);
+    const ReportInput input = work.input(from_above(angle));
     for (std::size_t i = 0; i < std::size(names); ++i) {
         const Light& light = input.scene.lights[i];
         emission.push_back(sampled(
@@ -176,6 +157,23 @@ void fill_lights(LessonWork& work) {
         {work.plot("emission", line_plot(angles, emission), "What the lights send out."),
          work.plot("floor", line_plot({"place on the floor", "radiance", -end, end}, floor),
                    "What arrives along a line on the floor, drawn with phong shading.")});
+}
+
+void fill_lights(LessonWork& work) {
+    work.paragraph(
+        "A spot light shines into a cone of half angle τ, with a hard rim as printed or with a "
+        "soft one inside of it. A cosine light is a small flat lamp: full ahead, nothing to the "
+        "sides or behind. Both are point lights whose intensity depends on the direction.");
+    const int fine = 64;
+    work.figures(
+        {work.picture("phong", {{"shading", "phong"}}, "phong shading"),
+         work.picture("gouraud", {{"shading", "gouraud"}}, "gouraud shading of the same floor"),
+         work.picture("gouraud-fine", with_tessellation(work.input({{"shading", "gouraud"}}), fine),
+                      "gouraud shading, 64 × 64 faces")});
+    work.paragraph(
+        "The rim of a spot is a high frequency. Gouraud shading samples it at vertices only: the "
+        "pool of light takes the shape of the faces that touch it.");
+    plot_lights(work);
     const ReportInput phong = work.input({{"samples", "1"}, {"shading", "phong"}});
     const ReportInput coarse = work.input({{"samples", "1"}, {"shading", "gouraud"}});
     const Framebuffer at_pixels = draw_planes(phong);
@@ -199,15 +197,13 @@ constexpr LessonCommand light_commands[] = {
 constexpr LessonQuestion light_questions[] = {
     {"On the floor below a cosine light, which power of the cosine does the radiance follow?",
      "The fourth: one cosine from the lamp, one from the floor, two from the square of the "
-     "distance if "
-     "q alone is set. Here, without attenuation, it is the second."},
+     "distance if q alone is set. Here, without attenuation, it is the second."},
     {"Why does the program compare cosines and not angles with the cutoff?",
      "The cosine falls from 0° to 180°, so it is the same comparison without an arccos for each "
      "point."},
     {"Why does the hard rim need more samples than the soft one?",
      "It is a step. A step has all frequencies, so any number of samples a pixel leaves stairs, "
-     "only "
-     "smaller ones. The soft rim is wider than a pixel."},
+     "only smaller ones. The soft rim is wider than a pixel."},
 };
 
 }  // namespace

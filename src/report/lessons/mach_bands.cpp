@@ -57,11 +57,9 @@ double largest_step(const Curve& curve) {
 void fill_mach_bands(LessonWork& work) {
     work.paragraph(
         "Flat shading makes steps of the radiance, gouraud shading kinks: it is continuous, but "
-        "its "
-        "slope jumps at every edge. The eye answers to differences from the surroundings, so it "
-        "sees "
-        "a bright band at a kink that bends down and a dark one at a kink that bends up, where no "
-        "photometer finds them. Ernst Mach described this in 1865.");
+        "its slope jumps at every edge. The eye answers to differences from the surroundings, so "
+        "it sees a bright band at a kink that bends down and a dark one at a kink that bends up, "
+        "where no photometer finds them. Ernst Mach described this in 1865.");
     std::vector<Figure> figures;
     std::vector<Curve> rows, slopes, seen;
     const double from = 62, to = 258;  // away from the silhouette
@@ -92,8 +90,8 @@ void fill_mach_bands(LessonWork& work) {
                    "Its slope: under gouraud shading constant in a face, with jumps."),
          work.plot("receptors", line_plot({"column", "answer of the receptors", from, to}, seen),
                    fmt::format("What receptors answer that are excited from {} and inhibited "
-                               "from {} pixels around (difference of two Gaussians): peaks "
-                               "at the kinks.",
+                               "from {} pixels around (difference of two Gaussians): peaks at the "
+                               "kinks.",
                                narrow, wide))});
 }
 
@@ -113,9 +111,8 @@ constexpr LessonQuestion questions[] = {
      "values rise and fall without a peak at the edge."},
     {"Does phong shading have no bands at all?",
      "Its radiance has no kink where the normal has none. The normal itself is interpolated "
-     "linearly "
-     "and then made unit, so its derivative jumps at edges: the kinks are of higher order and much "
-     "weaker, as the plot of the slope shows."},
+     "linearly and then made unit, so its derivative jumps at edges: the kinks are of higher order "
+     "and much weaker, as the plot of the slope shows."},
     {"Why do more polygons help less than one would hope?",
      "Kinks get smaller, but more numerous; and the eye is most sensitive to regular patterns."},
 };

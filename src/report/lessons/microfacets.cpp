@@ -57,8 +57,7 @@ void fill_microfacets(LessonWork& work) {
         "Torrance and Sparrow take a rough surface for many small mirrors. Three factors say what "
         "they do: D, how many of them lie so that they reflect light to the viewer; G, how many of "
         "those are neither in the shadow of others nor hidden by them; F, how much a mirror "
-        "reflects. "
-        "Here one factor changes in each row, and the others stay.");
+        "reflects. Here one factor changes in each row, and the others stay.");
     const auto strip = [&](const std::string& name, const std::vector<std::string>& values,
                            double m) {
         std::vector<Figure> figures;
@@ -84,8 +83,8 @@ void fill_microfacets(LessonWork& work) {
         {work.plot("D", distribution_plot(0.3),
                    "D at m = 0.3. GGX has the longest tail: its highlights glow."),
          work.plot("G", shadowing_plot(),
-                   "G for a viewer above. V-shaped cavities hide nothing until 60°, and do "
-                   "not know the roughness.")});
+                   "G for a viewer above. V-shaped cavities hide nothing until 60°, and do not "
+                   "know the roughness.")});
     work.measured("D(0) of ggx at m = 0.3", D_ggx(1.0, 0.0, 0.3), "1/sr");
     work.measured("largest difference of smith and v-cavity",
                   level_max(with_cavity, with_smith, smith.settings), "levels of 255");
@@ -107,12 +106,10 @@ constexpr LessonCommand facet_commands[] = {
 constexpr LessonQuestion facet_questions[] = {
     {"Why is D a density over solid angle, and not a probability?",
      "It counts facets by their directions; ∫ D cosθ_h dω = 1 says that their areas, projected "
-     "onto "
-     "the surface, fill it. So D may be far above 1 where the facets are nearly parallel."},
+     "onto the surface, fill it. So D may be far above 1 where the facets are nearly parallel."},
     {"B16 divides by cosθ_i cosθ_o. Why does it not blow up at grazing angles?",
      "G goes to 0 there at least as fast: at grazing angles almost all facets are hidden. The "
-     "program "
-     "computes G/(4 cosθ_o) in one, so that no 0/0 arises."},
+     "program computes G/(4 cosθ_o) in one, so that no 0/0 arises."},
     {"Which factor gives metals their colour?",
      "F: F(0) of a metal differs from channel to channel. D and G are geometry and have no "
      "colour."},
@@ -137,10 +134,9 @@ constexpr Substance substances[] = {{"water", 1.33}, {"glass", 1.5}, {"diamond",
 void fill_fresnel(LessonWork& work) {
     work.paragraph(
         "How much a smooth surface reflects follows from Fresnel's equations: little from above, "
-        "all "
-        "at grazing angles. Schlick's polynomial has the same value at both ends and needs no "
-        "root. "
-        "Its error is small between them, but not small in proportion where F itself is small.");
+        "all at grazing angles. Schlick's polynomial has the same value at both ends and needs no "
+        "root. Its error is small between them, but not small in proportion where F itself is "
+        "small.");
     const LessonOptions by_fresnel{{"set", "fresnel=dielectric"}};
     const LessonOptions by_schlick{{"set", "fresnel=schlick"}};
     const ReportInput a = work.input(by_fresnel), b = work.input(by_schlick);
@@ -186,8 +182,7 @@ constexpr LessonCommand fresnel_commands[] = {
 constexpr LessonQuestion fresnel_questions[] = {
     {"At which angle is F_p zero, and what is that good for?",
      "At Brewster's angle, arctan(η_o/η_i): 56° for glass in air. Reflected light is polarised "
-     "there, so a "
-     "polarising filter takes reflections away."},
+     "there, so a polarising filter takes reflections away."},
     {"Of which angle is F in a microfacet model?",
      "Of the angle between light and half vector, not the surface's normal: the facet is the "
      "mirror."},

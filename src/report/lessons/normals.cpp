@@ -25,28 +25,8 @@ double lean(const Mesh& box) {
     return worst * 180 / pi;
 }
 
-void fill_normals(LessonWork& work) {
-    work.paragraph(
-        "A mesh without normals gets them from its faces: the mean of the normals around a vertex, "
-        "which hides the polygons of a round thing. Applied to a box the same mean hides its "
-        "edges. A "
-        "crease angle tells the two apart: faces that meet at more than this angle share no "
-        "normal.");
-    std::vector<Figure> creases;
-    for (const int degrees : {10, 60, 180})
-        creases.push_back(work.picture(fmt::format("crease-{}", degrees),
-                                       {{"crease", fmt::format("{}", degrees)}},
-                                       fmt::format("crease angle {}°", degrees)));
-    work.figures(creases);
-    work.paragraph(
-        "At 10° every edge is a crease, also those of the prism; at 180° none is. The box is "
-        "made of "
-        "triangles, and at some of its corners two triangles of a side meet, at others one. The "
-        "plain "
-        "mean counts such a side twice, so its normal leans and the light on the box is lopsided. "
-        "Weighted by area it leans as well; weighted by the angle at the corner it does not, "
-        "however a "
-        "side is cut.");
+/// The box alone, without creases, its normals averaged in three ways.
+void show_weights(LessonWork& work) {
     std::vector<Figure> weights;
     for (const std::string source : {"average", "area", "angle"}) {
         const LessonOptions options{{"normals", source},
@@ -63,12 +43,32 @@ void fill_normals(LessonWork& work) {
                          fmt::format("--normals {}: leans by {:.1f}°", source, degrees)));
     }
     work.figures(weights);
+}
+
+void fill_normals(LessonWork& work) {
+    work.paragraph(
+        "A mesh without normals gets them from its faces: the mean of the normals around a vertex, "
+        "which hides the polygons of a round thing. Applied to a box the same mean hides its "
+        "edges. A crease angle tells the two apart: faces that meet at more than this angle share "
+        "no normal.");
+    std::vector<Figure> creases;
+    for (const int degrees : {10, 60, 180})
+        creases.push_back(work.picture(fmt::format("crease-{}", degrees),
+                                       {{"crease", fmt::format("{}", degrees)}},
+                                       fmt::format("crease angle {}°", degrees)));
+    work.figures(creases);
+    work.paragraph(
+        "At 10° every edge is a crease, also those of the prism; at 180° none is. The box is made "
+        "of triangles, and at some of its corners two triangles of a side meet, at others one. The "
+        "plain mean counts such a side twice, so its normal leans and the light on the box is "
+        "lopsided. Weighted by area it leans as well; weighted by the angle at the corner it does "
+        "not, however a side is cut.");
+    show_weights(work);
     const ReportInput sheet = with_object(work.input({{"crease", "180"}}), 2);
     work.paragraph(
         "The sheet on the right has two sides over the same corners. Its face normals are "
-        "opposite, "
-        "their sum is zero, and zero has no direction. The program takes the face's normal there, "
-        "and counts the event: scanshade info shows it.");
+        "opposite, their sum is zero, and zero has no direction. The program takes the face's "
+        "normal there, and counts the event: scanshade info shows it.");
     work.measured("normals of the sheet that cancelled",
                   double(sheet.scene.objects.front().mesh->events[Event::cancelled_normal]));
 }
@@ -85,8 +85,7 @@ constexpr LessonCommand commands[] = {
 constexpr LessonQuestion questions[] = {
     {"A cylinder with caps and sixteen sides: which crease angles show it as one expects?",
      "More than 22.5°, the angle between neighbouring sides, and less than 90°, that between side "
-     "and "
-     "cap."},
+     "and cap."},
     {"Why do meshes in files often have several normals at one position?",
      "At a crease each side has its own. The position is one, the normals are as many as there are "
      "smooth regions around it."},

@@ -95,8 +95,7 @@ constexpr LessonQuestion questions[] = {
      "edges that show every shift; straight lines of the texture even bend."},
     {"Depth itself is interpolated too. Why is near/w linear on the screen?",
      "On a plane in space 1/w is a linear function of the screen's x and y. So a depth buffer of "
-     "near/w "
-     "needs no division in a span."},
+     "near/w needs no division in a span."},
 };
 
 }  // namespace

@@ -34,17 +34,15 @@ void fill_plan(LessonWork& work) {
     work.paragraph(
         "The fastest work is none. Before anything is drawn, the plan asks of each kind of work "
         "whether this scene needs it, and leaves it out only where no bit of the picture can "
-        "change: "
-        "clusters of triangles outside of the view, highlights of matt materials, distances of "
-        "lights "
-        "that do not weaken, points that nobody sees.");
+        "change: clusters of triangles outside of the view, highlights of matt materials, "
+        "distances of lights that do not weaken, points that nobody sees.");
     const ReportInput with = work.input(), without = work.input({{"no-plan", "true"}});
     const DebugPicture view = draw_debug_view(with.scene, with.settings, DebugView::plan);
     work.figures(
         {work.picture("picture", with, "the scene"),
          work.picture("work", to_image(view.pixels),
-                      "which work each pixel took: bright ones are lit, dark ones only show "
-                      "the background, in the darkest tiles nothing was drawn at all")});
+                      "which work each pixel took: bright ones are lit, dark ones only show the "
+                      "background, in the darkest tiles nothing was drawn at all")});
     Renderer renderer(with.scene, with.settings);
     Framebuffer frame;
     const FrameStats stats = renderer.draw(frame);
@@ -73,12 +71,10 @@ constexpr LessonCommand commands[] = {
 constexpr LessonQuestion questions[] = {
     {"Why is leaving out back faces no row of the plan, but an option?",
      "At a silhouette a sample may show a back face, even of a closed mesh. Leaving it out can "
-     "change a "
-     "pixel, and a row of the plan must change none."},
+     "change a pixel, and a row of the plan must change none."},
     {"How can one be sure that a row changes no bit?",
      "By drawing with and without it and comparing colours, depths and triangles of all pixels: "
-     "the "
-     "tests do that for each row on random scenes."},
+     "the tests do that for each row on random scenes."},
     {"Which work cannot be decided before the picture is known?",
      "What is hidden. It is found while drawing; so light is evaluated after visibility, once a "
      "sample."},

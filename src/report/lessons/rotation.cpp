@@ -41,10 +41,8 @@ void fill_rotation(LessonWork& work) {
         "As first printed, values travel along the two edges that a scanline meets and then along "
         "the span between them. On a triangle that is the same as barycentric interpolation. On a "
         "quadrilateral it is not: which edges meet a scanline depends on how the polygon lies on "
-        "the "
-        "screen, so its inside changes when it turns, though its corners do not. In an animation "
-        "the "
-        "surface seems to flow.");
+        "the screen, so its inside changes when it turns, though its corners do not. In an "
+        "animation the surface seems to flow.");
     std::vector<Figure> edges;
     for (const int degrees : {0, 30, 45, 60})
         edges.push_back(work.picture(fmt::format("edges-{}", degrees), turned("edges", degrees),
@@ -63,8 +61,8 @@ void fill_rotation(LessonWork& work) {
     work.figures({work.plot("middle",
                             line_plot({"turn in degrees", "radiance in the middle", 0, 90}, curves),
                             "The middle of the quadrilateral while it turns. Only edges depends on "
-                            "the turn. The others "
-                            "disagree with each other, but each with itself never.")});
+                            "the turn. The others disagree with each other, but each with itself "
+                            "never.")});
 }
 
 constexpr LessonEquation equations[] = {
@@ -85,8 +83,7 @@ constexpr LessonQuestion questions[] = {
      "out. At 45° they are two corners, and the mean of those two comes out."},
     {"Why is there no such dependence in triangles?",
      "Three values at the corners determine one linear function, and linear interpolation along "
-     "any "
-     "lines gives that function. Four corners determine no linear function in general."},
+     "any lines gives that function. Four corners determine no linear function in general."},
     {"Modern hardware draws triangles only. What does that cost here?",
      "The result depends on which diagonal cuts the quadrilateral: the radiance has a kink along "
      "it."},

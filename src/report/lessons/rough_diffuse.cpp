@@ -17,10 +17,9 @@ double rim_share(const Framebuffer& frame, double radius) {
 void fill_rough_diffuse(LessonWork& work) {
     work.paragraph(
         "The full moon is a flat disc: its rim is about as bright as its middle. Lambert's law "
-        "would "
-        "make it a ball that darkens as cosθ. Oren and Nayar take a rough surface for V-shaped "
-        "cavities of Lambertian facets: seen from where the light comes, the facets that face the "
-        "light are those that one sees, so the rim stays bright.");
+        "would make it a ball that darkens as cosθ. Oren and Nayar take a rough surface for "
+        "V-shaped cavities of Lambertian facets: seen from where the light comes, the facets that "
+        "face the light are those that one sees, so the rim stays bright.");
     const double radius = 100.5 / (10 * std::tan(6.25 * pi / 180));
     std::vector<Figure> figures{work.picture("lambert", {{"brdf", "lambert"}}, "lambert")};
     std::vector<Curve> rows;
@@ -51,8 +50,8 @@ void fill_rough_diffuse(LessonWork& work) {
     LessonOptions beside_lambert = beside;
     beside_lambert.emplace_back("brdf", "lambert");
     work.paragraph(
-        "Under light from the side the difference is small; the roughness shows towards the "
-        "light only.");
+        "Under light from the side the difference is small; the roughness shows towards the light "
+        "only.");
     work.figures({work.picture("side-lambert", beside_lambert, "lambert, light from the right"),
                   work.picture("side", beside, "oren-nayar, σ = 0.6, light from the right")});
 }
@@ -74,8 +73,7 @@ constexpr LessonQuestion questions[] = {
      "instead of into all directions alike."},
     {"B20 is printed with cos(θ_i − θ_o). Which angle is meant?",
      "The difference of azimuths, φ_i − φ_o. With polar angles the model would brighten the side "
-     "away "
-     "from the light as much; docs/equations.md lists the correction and its test."},
+     "away from the light as much; docs/equations.md lists the correction and its test."},
 };
 
 }  // namespace

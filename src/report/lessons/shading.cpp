@@ -38,8 +38,7 @@ void fill_shading(LessonWork& work) {
     work.figures(figures);
     work.paragraph(
         "The difference is largest where the radiance bends most between two vertices: at "
-        "highlights, "
-        "and where the surface turns away from the light.");
+        "highlights, and where the surface turns away from the light.");
     work.figures(errors);
     const Mesh& mesh = *reference.scene.objects.front().mesh;
     work.measured("faces, the most that flat shading can light", double(mesh.face_count()));
@@ -68,8 +67,7 @@ constexpr LessonQuestion questions[] = {
      "When vertices outnumber pixels: a fine mesh far away. Then even flat shading lights more."},
     {"'Phong' names two things. Which of them is chosen by --shading, which by --brdf?",
      "--shading phong is Phong's interpolation of normals, light at every pixel. --brdf phong is "
-     "his "
-     "reflection model with the mirror direction. Either can be used without the other."},
+     "his reflection model with the mirror direction. Either can be used without the other."},
 };
 
 }  // namespace
