@@ -16,8 +16,7 @@ namespace {
 
 std::string fact_text(double value) {
     if (std::isinf(value)) return "∞";
-    return value == double(long(value)) ? fmt::format("{:.0f}", value)
-                                        : fmt::format("{:.4g}", value);
+    return value == std::trunc(value) ? fmt::format("{:.0f}", value) : fmt::format("{:.4g}", value);
 }
 
 void add_facts(const std::vector<LessonFact>& facts, Page& page) {

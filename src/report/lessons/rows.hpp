@@ -1,4 +1,4 @@
-// The lessons, each in a file of its own or with its kin: in the order in which they are taught.
+// The lessons in the order in which they are taught, each in a file of its own or with its kin.
 #pragma once
 
 #include "scanshade/report/lesson.hpp"
