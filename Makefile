@@ -29,11 +29,11 @@ export PYTHONDONTWRITEBYTECODE := 1
 -include Makefile.local
 
 # ---- files ---------------------------------------------------------------------------------------
-LIB_SOURCES    := $(filter-out src/cli/% src/viewer/%,$(wildcard src/*/*.cpp))
+LIB_SOURCES    := $(filter-out src/cli/% src/viewer/%,$(wildcard src/*/*.cpp src/*/*/*.cpp))
 CLI_SOURCES    := $(wildcard src/cli/*.cpp)
 # The viewer takes its options, errors and exit status from the same files.
 VIEWER_SOURCES := $(wildcard src/viewer/*.cpp) \
-                  $(patsubst %,src/cli/%.cpp,options console)
+                  $(patsubst %,src/cli/%.cpp,options console shipped)
 # What tests link of the programs: nothing of it sees SDL.
 TESTED_SOURCES := $(patsubst %,src/viewer/%.cpp,actions camera_control files light_control picture \
                     view_edit view_state) src/cli/lettering.cpp
@@ -161,6 +161,7 @@ demo: deps-demo  ## draw the teapot into build/demo.png
 	@echo 'build/demo.png is $(DEMO_SCENE), lit at every pixel. Try next:'
 	@echo '  $(CLI) render $(DEMO_SCENE) --shading gouraud -o build/gouraud.png'
 	@echo '  $(CLI) sheet $(DEMO_SCENE) -o build/sheet.png   every shading with every model'
+	@echo '  $(CLI) lesson all -o build/lessons                 a booklet on shading: index.html'
 	@echo '  $(CLI) --help'
 	@echo '  make deps && make && $(CLI) view $(DEMO_SCENE)   in a window'
 
@@ -195,6 +196,11 @@ report: deps-report  ## all reports, into build/report/: error, plan, speed, sta
 	@$(CLI) report speed -o build/report/speed
 	@$(CLI) report error -o build/report/error
 	@$(CLI) report stability -o build/report/stability
+
+.PHONY: lessons
+lessons: deps-demo  ## a booklet on shading, into build/lessons/index.html
+	@$(SUBMAKE) $(CLI)
+	@$(CLI) lesson all -o build/lessons
 
 CHECKS := check-selftest check-layers check-equations check-format check-headers
 HEADERS := $(shell find include -name '*.hpp' 2>/dev/null | sort)
@@ -250,7 +256,7 @@ golden-accept:  ## take one picture over: build/golden/NAME.png becomes golden/N
 	else echo "golden/$(NAME).png is new"; fi
 	cp 'build/golden/$(NAME).png' 'golden/$(NAME).png'
 
-TIDIED = $(wildcard src/*/*.cpp)
+TIDIED = $(wildcard src/*/*.cpp src/*/*/*.cpp)
 .PHONY: lint
 lint:  ## clang-tidy, cppcheck and a build with clang, as far as they are installed; takes minutes
 	@if command -v clang-tidy >/dev/null; then \

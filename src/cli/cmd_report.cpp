@@ -8,6 +8,7 @@
 #include "cli/console.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/progress.hpp"
+#include "cli/shipped.hpp"
 #include "scanshade/base/error.hpp"
 #include "scanshade/base/files.hpp"
 #include "scanshade/base/text.hpp"
@@ -86,24 +87,12 @@ const ReportKind& find_kind(const std::string& name) {
 
 // ---- scenes
 
-/// Those of the first folder models/scenes below the working directory, or below a folder that this
-/// program lies in.
 std::vector<std::string> shipped_scenes() {
-    std::error_code ignored;
-    std::vector<fs::path> roots{fs::path()};
-    for (fs::path at = fs::read_symlink("/proc/self/exe", ignored).parent_path();
-         at.has_relative_path(); at = at.parent_path())
-        roots.push_back(at);
-    for (const fs::path& root : roots) {
-        std::vector<std::string> scenes;
-        for (const auto& entry : fs::directory_iterator(root / "models" / "scenes", ignored))
-            if (entry.path().extension() == ".toml") scenes.push_back(entry.path().string());
-        std::sort(scenes.begin(), scenes.end());
-        if (!scenes.empty()) return scenes;
-    }
-    throw Error(Errc::file,
-                "the scenes of models/scenes are neither below the working directory nor beside "
-                "this program; name an INPUT");
+    std::vector<std::string> scenes;
+    for (const auto& entry : fs::directory_iterator(shipped_folder("scenes", "name an INPUT")))
+        if (entry.path().extension() == ".toml") scenes.push_back(entry.path().string());
+    std::sort(scenes.begin(), scenes.end());
+    return scenes;
 }
 
 std::vector<ReportInput> load_inputs(const ReportArgs& args, const ReportKind& kind,

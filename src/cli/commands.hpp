@@ -24,6 +24,7 @@ int run_sheet(OptionParser& options, char** args);
 int run_brdf(OptionParser& options, char** args);
 int run_inspect(OptionParser& options, char** args);
 int run_info(OptionParser& options, char** args);
+int run_lesson(OptionParser& options, char** args);
 int run_report(OptionParser& options, char** args);
 
 }  // namespace scanshade

@@ -24,11 +24,15 @@ constexpr Command commands[] = {
      "the equation at one pixel with its numbers, in float and in double", run_inspect},
     {"sheet", "INPUT -o OUT.png [options]", "one picture of every shading with every brdf",
      run_sheet},
-    {"report", "plan|speed|stability [INPUT...] -o DIR [options]",
-     "measure what the plan saves, what a frame costs, or where numbers are in danger", run_report},
+    {"report", "error|plan|speed|stability [INPUT...] -o DIR [options]",
+     "measure what approximations cost, what the plan saves, what a frame takes, or where numbers "
+     "are in danger",
+     run_report},
     {"compare", "A.png B.png [options]", "how much two pictures differ", run_compare},
     {"brdf", "list | show NAME [-o DIR] [--set NAME=V]",
      "the reflection models: equation, parameters, promises, values, a page of plots", run_brdf},
+    {"lesson", "list | NAME | all -o DIR", "pages that teach shading, with pictures and plots",
+     run_lesson},
 };
 
 std::string help() {

@@ -22,6 +22,11 @@ h3 { font-size: 1.05rem; margin: 1.5rem 0 .3rem; }
 figure { margin: 0; max-width: 100%; overflow-x: auto; break-inside: avoid; }
 figure img { display: block; max-width: 100%; height: auto; }
 figcaption { font-size: .9rem; color: #555c66; max-width: 32rem; }
+pre { background: #f4f5f7; padding: .6rem .8rem; font-size: .85rem; overflow-x: auto; }
+.code { font-family: ui-monospace, monospace; }
+details { margin: .5rem 0; }
+summary { cursor: pointer; font-weight: 600; }
+details p { margin: .2rem 0 .2rem 1.1rem; }
 .scroll { overflow-x: auto; margin: 0 0 1rem; }
 table { border-collapse: collapse; font-size: .9rem; }
 th, td { text-align: left; padding: .2rem .6rem; border-bottom: 1px solid #e3e5e8;
@@ -36,6 +41,11 @@ tr { break-inside: avoid; }
 @media (max-width: 40rem) { body { font-size: 15px; padding: .7rem; }
                             .wide img { max-width: none; } }
 @media print { body { max-width: none; font-size: 10pt; } .scroll, figure { overflow: visible; }
+               details::details-content { content-visibility: visible; display: block; }
+               h2[id] { break-before: page; } h2, h3 { break-after: avoid; }
+               pre { white-space: pre-wrap; font-size: 8pt; break-inside: avoid; }
+               .lead { font-size: 11pt; } figcaption { font-size: 8pt; }
+               figure[style] { max-width: 4.2cm; } figure.wide[style] { max-width: 8.6cm; }
                table { font-size: 8pt; } th, td { padding: .1rem .3rem; } }
 )";
 
@@ -85,24 +95,42 @@ Cell number_cell(std::string text, std::string_view style) {
 }
 
 Page::Page(std::string_view title, std::string_view lead) : title_(title) {
-    body_ = element("h1", "", title) + "\n" + element("p", "lead", lead) + "\n";
+    body_ = element("h1", "", title_) + "\n";
+    this->lead(lead);
 }
 
 void Page::verdict(std::string_view text, bool good) {
     body_ += element("p", good ? "verdict" : "verdict failed", text) + "\n";
 }
 void Page::notice(std::string_view text) { body_ += element("p", "notice", text) + "\n"; }
-void Page::section(std::string_view title) { body_ += element("h2", "", title) + "\n"; }
+void Page::section(std::string_view title, std::string_view anchor) {
+    body_ += anchor.empty()
+                 ? element("h2", "", title) + "\n"
+                 : fmt::format("<h2 id=\"{}\">{}</h2>\n", escaped(anchor), escaped(title));
+}
 void Page::subsection(std::string_view title) { body_ += element("h3", "", title) + "\n"; }
+void Page::lead(std::string_view text) { body_ += element("p", "lead", text) + "\n"; }
 void Page::paragraph(std::string_view text) { body_ += element("p", "", text) + "\n"; }
+
+void Page::commands(const std::vector<std::string>& lines) {
+    body_ += "<pre>";
+    for (const std::string& line : lines) body_ += escaped(line) + "\n";
+    body_ += "</pre>\n";
+}
+
+void Page::answer(std::string_view question, std::string_view text) {
+    body_ +=
+        "<details>" + element("summary", "", question) + element("p", "", text) + "</details>\n";
+}
 
 void Page::figures(const std::vector<Figure>& figures) {
     body_ += "<div class=\"figures\">\n";
     for (const auto& [file, caption, wide, width] : figures)
-        body_ += fmt::format("<figure{}><img src=\"{}\"{} alt=\"{}\">{}</figure>\n",
-                             wide ? " class=\"wide\"" : "", escaped(file),
-                             width > 0 ? fmt::format(" width=\"{}\"", width) : "", escaped(caption),
-                             element("figcaption", "", caption));
+        body_ += fmt::format("<figure{}{}><img src=\"{}\"{} alt=\"{}\">{}</figure>\n",
+                             wide ? " class=\"wide\"" : "",
+                             width > 0 ? fmt::format(" style=\"width:{}px\"", width) : "",
+                             escaped(file), width > 0 ? fmt::format(" width=\"{}\"", width) : "",
+                             escaped(caption), element("figcaption", "", caption));
     body_ += "</div>\n";
 }
 

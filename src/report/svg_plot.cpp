@@ -11,7 +11,7 @@
 namespace scanshade {
 namespace {
 
-constexpr double width = 560, height = 340, left = 62, right = 150, top = 16, bottom = 46;
+constexpr double width = plot_width, height = 340, left = 62, right = 140, top = 28, bottom = 46;
 // Colours that stay apart for colour-blind readers (Okabe and Ito 2008).
 constexpr std::string_view colours[] = {"#0072b2", "#d55e00", "#009e73",
                                         "#cc79a7", "#e69f00", "#56b4e9"};
@@ -33,6 +33,62 @@ double largest(const std::vector<Curve>& curves) {
     return y;
 }
 
+double least_of(const std::vector<Curve>& curves) {
+    double y = largest(curves);
+    for (const Curve& curve : curves)
+        for (const PlotPoint& p : curve.points) y = std::min(y, p.y);
+    return y;
+}
+
+double least_positive(const std::vector<Curve>& curves) {
+    double y = largest(curves);
+    for (const Curve& curve : curves)
+        for (const PlotPoint& p : curve.points)
+            if (p.y > 0) y = std::min(y, p.y);
+    return y;
+}
+
+/// One axis: from a number to its place along it, and the numbers that stand there.
+struct Scale {
+    double low, high, step;  // step: of a linear one
+    bool logarithmic;
+
+    static Scale between(double low, double high, bool logarithmic, int parts) {
+        return {low, high, logarithmic ? 0 : round_step(high - low, parts), logarithmic};
+    }
+    bool can_show(double v) const { return !logarithmic || v > 0; }
+    /// 0 at `low`, 1 at `high`.
+    double place(double v) const {
+        return logarithmic ? std::log(v / low) / std::log(high / low) : (v - low) / (high - low);
+    }
+    std::vector<double> ticks() const {
+        std::vector<double> out;
+        if (!logarithmic) {
+            for (double i = std::ceil(low / step - 1e-6); i * step <= high + step * 1e-6; ++i)
+                out.push_back(i * step + 0.0);  // no −0
+            return out;
+        }
+        const double decades = std::log10(high / low), every = std::ceil(decades / 7);
+        for (double i = std::ceil(std::log10(low) - 1e-6); i <= std::log10(high) + 1e-6; i += every)
+            for (const double digit : {1.0, 2.0, 5.0})
+                if ((digit == 1 || decades < 3) && digit * std::pow(10, i) <= high * 1.000001)
+                    out.push_back(digit * std::pow(10, i));
+        return out;
+    }
+};
+
+Scale y_scale(const Axes& axes, const std::vector<Curve>& curves) {
+    const double most = largest(curves);
+    if (axes.y_log) {
+        const double low = std::pow(10, std::floor(std::log10(least_positive(curves))));
+        const double high = std::pow(10, std::ceil(std::log10(most) - 1e-9));
+        return Scale::between(axes.y_low.value_or(low), axes.y_high.value_or(high), true, 5);
+    }
+    const double least = least_of(curves), step = round_step(most - std::min(least, 0.0), 5);
+    return Scale::between(axes.y_low.value_or(least < 0 ? step * std::floor(least / step) : 0),
+                          axes.y_high.value_or(step * std::ceil(most / step)), false, 5);
+}
+
 class Svg {
 public:
     Svg() {
@@ -41,10 +97,11 @@ public:
             "height=\"{}\" font-family=\"sans-serif\" font-size=\"12\">\n",
             width, height, width, height);
     }
-    void line(double x1, double y1, double x2, double y2, std::string_view stroke) {
+    void line(double x1, double y1, double x2, double y2, std::string_view stroke,
+              bool dashed = false) {
         text_ += fmt::format(
-            "<line x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\" stroke=\"{}\"/>\n", x1,
-            y1, x2, y2, stroke);
+            "<line x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\" stroke=\"{}\"{}/>\n", x1,
+            y1, x2, y2, stroke, dash(dashed));
     }
     void half_circle(double x, double y, double r) {
         text_ += fmt::format(
@@ -56,54 +113,67 @@ public:
         text_ += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"{}\">{}</text>\n", x, y,
                              anchor, escaped(text));
     }
-    void polyline(const std::vector<PlotPoint>& points, std::string_view stroke) {
-        text_ += fmt::format("<polyline fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\" points=\"",
-                             stroke);
+    void polyline(const std::vector<PlotPoint>& points, std::string_view stroke, bool dashed) {
+        text_ +=
+            fmt::format("<polyline fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\"{} points=\"",
+                        stroke, dash(dashed));
         for (const PlotPoint& p : points) text_ += fmt::format("{:.2f},{:.2f} ", p.x, p.y);
         text_ += "\"/>\n";
     }
     void legend(const std::vector<Curve>& curves) {
         for (std::size_t i = 0; i < curves.size(); ++i) {
             const double x = width - right + 14, y = top + 14 + 20 * double(i);
-            line(x, y - 4, x + 18, y - 4, colour(i));
+            line(x, y - 4, x + 18, y - 4, colour(i), curves[i].dashed);
             label(x + 24, y, "start", curves[i].label);
         }
     }
+    /// Between the two nothing is drawn beyond the axes.
+    void begin_clipped() {
+        text_ += fmt::format(
+            "<clipPath id=\"axes\"><rect x=\"{}\" y=\"{}\" width=\"{}\" "
+            "height=\"{}\"/></clipPath>\n"
+            "<g clip-path=\"url(#axes)\">\n",
+            left, top - 1, width - left - right, height - top - bottom + 2);
+    }
+    void end_clipped() { text_ += "</g>\n"; }
     std::string finish() { return text_ + "</svg>\n"; }
 
 private:
+    static std::string_view dash(bool dashed) { return dashed ? " stroke-dasharray=\"5 4\"" : ""; }
+
     std::string text_;
 };
 
 }  // namespace
 
 std::string line_plot(const Axes& axes, const std::vector<Curve>& curves) {
-    const double y_step = round_step(largest(curves), 5);
-    const double y_high = y_step * std::ceil(largest(curves) / y_step);
-    const double x_step = round_step(axes.x_high - axes.x_low, 6);
-    const auto at_x = [&](double x) {
-        return left + (x - axes.x_low) / (axes.x_high - axes.x_low) * (width - left - right);
+    const Scale x = Scale::between(axes.x_low, axes.x_high, axes.x_log, 6),
+                y = y_scale(axes, curves);
+    const auto at_x = [&](double v) { return left + x.place(v) * (width - left - right); };
+    const auto at_y = [&](double v) {
+        return height - bottom - y.place(v) * (height - top - bottom);
     };
-    const auto at_y = [&](double y) {
-        return height - bottom - y / y_high * (height - top - bottom);
-    };
+    const double floor = height - bottom;
     Svg svg;
-    for (double y = 0; y < y_high + y_step / 2; y += y_step) {
-        svg.line(left, at_y(y), width - right, at_y(y), "#ddd");
-        svg.label(left - 6, at_y(y) + 4, "end", fmt::format("{:.3g}", y));
+    for (const double v : y.ticks()) {
+        svg.line(left, at_y(v), width - right, at_y(v), "#ddd");
+        svg.label(left - 6, at_y(v) + 4, "end", fmt::format("{:g}", v));
     }
-    for (double x = axes.x_low; x < axes.x_high + x_step * 1e-6; x += x_step) {
-        svg.line(at_x(x), at_y(0), at_x(x), at_y(0) + 5, "#555");
-        svg.label(at_x(x), at_y(0) + 18, "middle", fmt::format("{:.3g}", x));
+    for (const double v : x.ticks()) {
+        svg.line(at_x(v), floor, at_x(v), floor + 5, "#555");
+        svg.label(at_x(v), floor + 18, "middle", fmt::format("{:g}", v));
     }
-    svg.line(left, at_y(0), width - right, at_y(0), "#555");
+    svg.line(left, floor, width - right, floor, "#555");
     svg.label((left + width - right) / 2, height - 8, "middle", axes.x_label);
-    svg.label(4, top - 4, "start", axes.y_label);
+    svg.label(4, 13, "start", axes.y_label);
+    svg.begin_clipped();
     for (std::size_t i = 0; i < curves.size(); ++i) {
         std::vector<PlotPoint> points;
-        for (const PlotPoint& p : curves[i].points) points.push_back({at_x(p.x), at_y(p.y)});
-        svg.polyline(points, colour(i));
+        for (const PlotPoint& p : curves[i].points)
+            if (x.can_show(p.x) && y.can_show(p.y)) points.push_back({at_x(p.x), at_y(p.y)});
+        svg.polyline(points, colour(i), curves[i].dashed);
     }
+    svg.end_clipped();
     svg.legend(curves);
     return svg.finish();
 }
@@ -131,7 +201,7 @@ std::string polar_plot(const std::vector<Curve>& curves) {
             const double r = p.y / outermost * radius;
             points.push_back({centre_x + r * std::sin(p.x), centre_y - r * std::cos(p.x)});
         }
-        svg.polyline(points, colour(i));
+        svg.polyline(points, colour(i), curves[i].dashed);
     }
     svg.legend(curves);
     return svg.finish();

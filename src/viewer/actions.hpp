@@ -32,6 +32,7 @@ enum class Action : std::uint8_t {
     previous_file,  // the rest is not the state's business
     next_file,
     reload,
+    open_lesson,  // `number` in all_lessons()
     save_picture,
     save_scene,
     toggle_help,
@@ -43,7 +44,7 @@ enum class Action : std::uint8_t {
 struct Request {
     Action action;
     double x = 0, y = 0;
-    int number = 0;             // of a debug view
+    int number = 0;             // of a debug view or a lesson
     bool keep_camera = false;   // for another file
     double at_x = 0, at_y = 0;  // where the mouse is, in pixels of the picture
 };

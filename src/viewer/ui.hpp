@@ -10,6 +10,7 @@
 
 #include "scanshade/base/error.hpp"
 #include "scanshade/report/inspection.hpp"
+#include "scanshade/report/lesson.hpp"
 #include "viewer/picture.hpp"
 #include "viewer/view_state.hpp"
 
@@ -22,6 +23,7 @@ struct Ui {
     std::string status;  // "6.4 ms"
     std::string notice;  // an error, until the next thing that works
     std::optional<Inspection> inspection;
+    const LessonInfo* lesson = nullptr;  // whose scene is shown, until its window is closed
     std::vector<Request> requests;
     bool moving = false;  // something is dragged
     bool light_is_moving = false;
@@ -53,6 +55,10 @@ void build_help(const ViewState& state, Ui& ui);
 
 /// The equation at the pixel that was clicked; the picture begins at column `left`.
 void build_inspector(Ui& ui, double left);
+
+/// The menu of all lessons, and the window of the one whose scene is shown.
+void build_lesson_menu(Ui& ui);
+void build_lesson(Ui& ui);
 
 /// On the picture itself, which begins at column `left`: the inspected polygon, the light that
 /// moves, the divider, scales.

@@ -20,6 +20,8 @@ void build_menu(Ui& ui) {
         menu_item(ui, "Next file", "Right", Action::next_file);
         menu_item(ui, "Read again", "R", Action::reload);
         ImGui::Separator();
+        build_lesson_menu(ui);
+        ImGui::Separator();
         menu_item(ui, "Save the scene", "Ctrl+S", Action::save_scene);
         menu_item(ui, "Save the picture", "F12", Action::save_picture);
         ImGui::Separator();

@@ -40,6 +40,7 @@ Viewer::Viewer(std::filesystem::path input, Scene scene, Settings settings, Sett
       input_file_(std::move(input)),
       state_(std::move(scene), std::move(settings)) {
     ui_.panel = !options.no_panel;
+    ui_.lesson = lesson_of(input_file_);
     if (!options.record.empty()) recorder_.emplace(options.record);
     if (!options.play.empty()) player_.emplace(options.play);
     watch_.watch(input_file_, state_.scene());
@@ -152,6 +153,9 @@ void Viewer::perform(const Request& request) {
         case Action::reload:
             open(input_file_, true);
             break;
+        case Action::open_lesson:
+            open_lesson(static_cast<std::size_t>(request.number));
+            break;
         case Action::save_picture:
             save_picture();
             break;
@@ -218,6 +222,7 @@ void Viewer::describe() {
     gui_.begin();
     build_overlays(state_, picture_, ui_, left());
     if (ui_.panel) build_panel(state_, picture_, ui_);
+    if (ui_.panel) build_lesson(ui_);
     build_help(state_, ui_);
     build_inspector(ui_, left());
     build_notice(ui_, left());

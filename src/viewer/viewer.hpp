@@ -56,6 +56,7 @@ private:
     void fit_picture();
     void inspect(double x, double y);
     void open(const std::filesystem::path& file, bool keep_camera);
+    void open_lesson(std::size_t number);
     void save_picture();
     void save_scene();
     void say(const std::string& what);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "cli/console.hpp"
+#include "cli/shipped.hpp"
 #include "scanshade/base/error.hpp"
 #include "scanshade/base/files.hpp"
 #include "scanshade/image/png.hpp"
@@ -16,6 +17,7 @@ void Viewer::open(const std::filesystem::path& file, bool keep_camera) {
         settings.width = state_.settings().width, settings.height = state_.settings().height;
         warn(scene.warnings);
         state_.replace(std::move(scene), settings, keep_camera);
+        if (file != input_file_) ui_.lesson = lesson_of(file);
         input_file_ = file;
         watch_.watch(input_file_, state_.scene());
         ui_.inspection.reset();
@@ -23,6 +25,15 @@ void Viewer::open(const std::filesystem::path& file, bool keep_camera) {
     } catch (const Error& error) {
         report(error.what());
     }
+}
+
+void Viewer::open_lesson(std::size_t number) {
+    const LessonInfo& lesson = *all_lessons()[number];
+    attempt(ui_, [&] {
+        const auto folder = shipped_folder("lessons", "start it in the project's folder");
+        open(folder / fmt::format("{}.toml", lesson.name), false);
+        ui_.lesson = lesson_of(input_file_);  // its window again, also where it was closed
+    });
 }
 
 void Viewer::save_picture() {

@@ -189,6 +189,52 @@ TEST_CASE("debug views by their keys, a pixel's equation by a click", "[viewer]"
     CHECK(session.wait() == 0);
 }
 
+TEST_CASE("the menu of lessons opens a lesson's scene, with a window about it",
+          "[viewer][lesson]") {
+    if (!can_open_windows()) return;
+    constexpr int width = 450, height = 420, row = 97;  // row: of the menu's entry
+    const std::vector<std::string> size{"--resolution", fmt::format("{},{}", width, height)};
+    Session session(lit_ball, size, true);
+    const Image ball = rendered(session.input(), size);
+    REQUIRE(eventually([&] {
+        const Image now = session.picture();
+        return now.width == width + panel && cut(now, panel, 0, width, height).rgb == ball.rgb;
+    }));
+    const auto move = [&](int x, int y) {
+        session.xdotool(fmt::format("mousemove --sync --window {} {} {}", session.window(), x, y));
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));  // menus open while one waits
+    };
+    CHECK(eventually([&] {
+        move(25, 12);
+        session.xdotool("click 1");
+        for (const int x : {40, 120, 255}) move(x, row);  // File, Lessons, and over to the first
+        session.xdotool("click 1");
+        move(panel + 20, height - 20);
+        return session.title().starts_with("shading |");
+    }));
+    const Image lesson = rendered("models/lessons/shading.toml", size);
+    const auto shows_lesson = [&](int from) {
+        return eventually([&] {
+            return cut(session.picture(), panel, from, width, height - from).rgb ==
+                   cut(lesson, 0, from, width, height - from).rgb;
+        });
+    };
+    CHECK(shows_lesson(height - 60));
+    // The window about it is over the rest, until it is closed.
+    const auto hidden = [&] {
+        const Image now = session.picture();
+        return now.width == width + panel && cut(now, panel + width - 300, 60, 250, 100).rgb !=
+                                                 cut(lesson, width - 300, 60, 250, 100).rgb;
+    };
+    CHECK(eventually(hidden));
+    move(panel + width - 24, 20);
+    session.xdotool("click 1");
+    move(panel + 20, height - 20);
+    CHECK(shows_lesson(0));
+    session.xdotool("key q");
+    CHECK(session.wait() == 0);
+}
+
 TEST_CASE("files are watched, errors shown without losing the scene, neighbours a key away",
           "[viewer]") {
     if (!can_open_windows()) return;
