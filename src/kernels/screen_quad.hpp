@@ -37,7 +37,8 @@ struct QuadSpan {
 /// The span of the row at y, between the one edge that goes up and the one that goes down there.
 /// Outside of the quadrilateral it has no meaning, but is finite. Not fused: the same bits on every
 /// machine.
-/// error   a few u of the largest depth, times what quads_serve allows
+/// error   of span_depth ≤ 64 u of the smallest depth of the corners where quads_serve
+/// checks  tests/kernels/quad_depth_test.cpp
 template <Real R>
 QuadSpan<R> quad_span(const ScreenQuad<R>& q, R y) {
     // A span narrower than 1/16 of the grid's step is the tip of a corner.

@@ -70,6 +70,24 @@ PolygonSoup polygons(Rng& rng) {
     return make_soup(p, faces);
 }
 
+/// Convex, larger than batches take, some seen from behind.
+PolygonSoup large_quads(Rng& rng) {
+    std::vector<glm::dvec3> p;
+    std::vector<std::vector<std::uint32_t>> faces;
+    for (int k = 0; k < 6; ++k) {
+        const double radius = rng.real(100, 2000), w = rng.real(1, 4), start = rng.real(0, 6);
+        const double x = rng.real(0, 96), y = rng.real(0, 64), turn = rng.chance(0.5) ? 1 : -1;
+        faces.emplace_back();
+        for (int i = 0; i < 4; ++i) {
+            const double angle = start + turn * (1.5708 * i + rng.real(-0.4, 0.4));
+            faces.back().push_back(std::uint32_t(p.size()));
+            p.push_back(camera.point(x + radius * std::cos(angle), y + radius * std::sin(angle),
+                                     w * rng.real(1, 2)));
+        }
+    }
+    return make_soup(p, faces);
+}
+
 struct Kind {
     const char* name;
     PolygonSoup (*make)(Rng&);
@@ -78,7 +96,8 @@ constexpr Kind kinds[] = {{"needles", needles},
                           {"large", large},
                           {"near and far", near_and_far_cut},
                           {"guard band", beyond_the_guard_band},
-                          {"polygons", polygons}};
+                          {"polygons", polygons},
+                          {"large quads", large_quads}};
 
 Scene scene_of(PolygonSoup soup, bool textured, Rng& rng) {
     for (PolygonSoup::Corner& corner : soup.corners) {

@@ -104,6 +104,42 @@ std::string check_bounds(const Mesh& mesh, const ClusteredMesh& clusters, const 
     return "";
 }
 
+/// What is wrong with a cluster's whole faces, their sphere and their cone; counts each of the mesh's.
+std::string check_whole_faces(const Mesh& mesh, const ClusteredMesh& clusters,
+                              const Cluster& cluster, std::vector<int>& times) {
+    const glm::dvec3 centre(cluster.centre[0], cluster.centre[1], cluster.centre[2]);
+    const glm::dvec3 axis(cluster.axis[0], cluster.axis[1], cluster.axis[2]);
+    for (std::uint32_t f = 0; f < cluster.face_count; ++f) {
+        const std::uint32_t first = clusters.triangle[cluster.first_face + f];
+        const std::uint32_t face = mesh.triangle_face[first];
+        ++times[face];
+        if (first != mesh.face_first_triangle[face]) return "not the face's first triangle";
+        if (mesh.corner_count(face) != cluster.corners) return "of other faces";
+        if (mesh.face_material[face] != cluster.material) return "a face of another material";
+        const std::uint32_t packed = clusters.corners[cluster.first_face + f];
+        for (std::uint32_t k = 0; k < cluster.corners; ++k) {
+            const std::uint32_t slot =
+                packed >> (k * std::uint32_t(corner_bits)) & (max_cluster_vertices - 1);
+            const std::uint32_t v = mesh.corner[mesh.face_begin[face] + k];
+            if (clusters.vertex[cluster.first_vertex + slot] != v)
+                return "a face's corners are not the mesh's";
+            if (glm::distance(position(mesh, v), centre) > double(cluster.radius))
+                return "a vertex is outside of the sphere";
+        }
+        for (std::uint32_t t = first; t < mesh.face_first_triangle[face + 1]; ++t) {
+            const auto& [a, b, c] = mesh.triangle[t];
+            const glm::dvec3 p = position(mesh, a);
+            const glm::dvec3 n = glm::cross(position(mesh, b) - p, position(mesh, c) - p);
+            if (cluster.sin_cone >= 1 || glm::length(n) == 0) continue;
+            const double sine =
+                glm::length(glm::cross(n, axis)) / (glm::length(n) * glm::length(axis));
+            if (!(glm::dot(n, axis) > 0) || sine > double(cluster.sin_cone))
+                return "a normal is outside of the cone";
+        }
+    }
+    return "";
+}
+
 /// What is wrong with a mesh's clusters; "" where each triangle is in one, as it should be.
 std::string wrong(const Mesh& mesh, const ClusteredMesh& clusters) {
     std::vector<int> times(mesh.triangle_count());
@@ -132,6 +168,31 @@ TEST_CASE("clusters hold each triangle once, under bounds that contain it", "[en
     }
     CHECK(with_cone > 100);
     CHECK(clusters_seen > 1000);
+}
+
+TEST_CASE(
+    "clusters of whole faces hold each triangle and quadrilateral once, and leave out the others",
+    "[engine][clusters]") {
+    std::size_t quads = 0, left_out = 0;
+    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+        Rng rng(seed);
+        const auto mesh = make_random_mesh(rng, std::uint32_t(rng.integer(1, 4)));
+        const ClusteredMesh whole = build_whole_clusters(*mesh, build_clusters(*mesh));
+        CAPTURE(seed, mesh->name);
+        std::vector<int> times(mesh->face_count());
+        for (const std::uint32_t face : whole.left_out) {
+            CHECK(mesh->corner_count(face) > 4);
+            ++times[face], ++left_out;
+        }
+        for (const Cluster& cluster : whole.clusters) {
+            CHECK(check_slots(*mesh, whole, cluster) == "");
+            CHECK(check_whole_faces(*mesh, whole, cluster, times) == "");
+            quads += cluster.corners == 4 ? cluster.face_count : 0;
+        }
+        CHECK(std::all_of(times.begin(), times.end(), [](int n) { return n == 1; }));
+    }
+    CHECK(quads > 1000);
+    CHECK(left_out > 100);
 }
 
 TEST_CASE("copies of a mesh share the clusters that were cut once", "[engine][clusters]") {
