@@ -22,21 +22,35 @@ VecI back_of(VecI packed) {
         hn::Set(tag_i, 1));
 }
 
-/// Places in VertexLight::radiance of a batch's corners.
+/// The corners of a batch, where VertexLight::radiance has them.
 template <int K>
 struct CornerSlots {
-    VecI of[K];
-    CornerSlots(const float* batch, const VertexLight& light) {
+    CornerSlots(const float* batch, const VertexLight& light) : light_(light) {
         const VecI packed = load_row(batch, row_corners);
-        const VecI first =
-            hn::Add(hn::Set(tag_i, std::int32_t(light.first)),
-                    hn::Mul(back_of(packed), hn::Set(tag_i, std::int32_t(light.side))));
         VecI rest = packed;
         for (int k = 0; k < K; ++k) {
-            of[k] = hn::Add(first, hn::And(rest, hn::Set(tag_i, max_cluster_vertices - 1)));
+            local_[k] = hn::And(rest, hn::Set(tag_i, max_cluster_vertices - 1));
             rest = hn::ShiftRight<corner_bits>(rest);
         }
+        back_ = hn::Ne(back_of(packed), hn::Zero(tag_i));
+        no_back_ = hn::AllFalse(tag_i, back_);
+        no_front_ = hn::AllTrue(tag_i, back_);
     }
+
+    /// Radiance of channel c at the corners k.
+    HWY_INLINE VecF radiance(int c, int k) const {
+        const float* front = light_.radiance[c] + light_.first;
+        if (no_back_) return look_up(front, local_[k]);
+        const VecF from_behind = look_up(front + light_.side, local_[k]);
+        if (no_front_) return from_behind;
+        return hn::IfThenElse(hn::RebindMask(tag_f, back_), from_behind, look_up(front, local_[k]));
+    }
+
+private:
+    const VertexLight& light_;
+    VecI local_[K];
+    MaskI back_;
+    bool no_back_, no_front_;
 };
 
 void fill_fragments_here(float* batch, const VertexLight& light) {
@@ -44,10 +58,8 @@ void fill_fragments_here(float* batch, const VertexLight& light) {
     VecF weight[3];
     for (int k = 0; k < 3; ++k) weight[k] = hn::Load(tag_f, batch + (fragment_values + k) * N);
     for (int c = 0; c < 3; ++c) {
-        VecF sum = hn::Mul(weight[2], hn::GatherIndex(tag_f, light.radiance[c], slots.of[2]));
-        for (int k = 1; k >= 0; --k)
-            sum =
-                hn::MulAdd(hn::GatherIndex(tag_f, light.radiance[c], slots.of[k]), weight[k], sum);
+        VecF sum = hn::Mul(weight[2], slots.radiance(c, 2));
+        for (int k = 1; k >= 0; --k) sum = hn::MulAdd(slots.radiance(c, k), weight[k], sum);
         hn::Store(sum, tag_f, batch + (fragment_values + c) * N);
     }
 }
@@ -56,8 +68,7 @@ void fill_quads_here(float* batch, int to, const VertexLight& light) {
     const CornerSlots<4> slots(batch, light);
     for (int c = 0; c < 3; ++c)
         for (int k = 0; k < 4; ++k)
-            hn::Store(hn::GatherIndex(tag_f, light.radiance[c], slots.of[k]), tag_f,
-                      batch + (to + 4 * c + k) * N);
+            hn::Store(slots.radiance(c, k), tag_f, batch + (to + 4 * c + k) * N);
 }
 
 /// Σ radiance_i · (plane of corner i's weight): the weights' planes are replaced.
@@ -67,7 +78,7 @@ void fill_here(float* batch, int weights, int to, const VertexLight& light) {
     for (int r = 0; r < 9; ++r) weight[r] = hn::Load(tag_f, batch + (weights + r) * N);
     for (int c = 0; c < 3; ++c) {
         VecF L[3];
-        for (int k = 0; k < 3; ++k) L[k] = hn::GatherIndex(tag_f, light.radiance[c], slots.of[k]);
+        for (int k = 0; k < 3; ++k) L[k] = slots.radiance(c, k);
         for (int part = 0; part < 3; ++part) {
             const VecF sum =
                 hn::MulAdd(L[0], weight[part],

@@ -57,9 +57,9 @@ struct WorldPositions {
 };
 inline WorldPositions world_positions(const ClusterContext& of, VecI local) {
     const ClusteredMesh& mesh = *of.object.mesh;
-    const VecF x = hn::GatherIndex(tag_f, &mesh.x[of.cluster.first_vertex], local);
-    const VecF y = hn::GatherIndex(tag_f, &mesh.y[of.cluster.first_vertex], local);
-    const VecF z = hn::GatherIndex(tag_f, &mesh.z[of.cluster.first_vertex], local);
+    const VecF x = look_up(&mesh.x[of.cluster.first_vertex], local);
+    const VecF y = look_up(&mesh.y[of.cluster.first_vertex], local);
+    const VecF z = look_up(&mesh.z[of.cluster.first_vertex], local);
     WorldPositions p;
     for (int axis = 0; axis < 3; ++axis) {
         const float* m = of.object.to_world[axis];
@@ -119,7 +119,7 @@ private:
 
     void store_values(int row, const float* of_local, const Corners<3>& c, const Weights& w) {
         VecF a[3];
-        for (int k = 0; k < 3; ++k) a[k] = hn::GatherIndex(tag_f, of_local, c.local[k]);
+        for (int k = 0; k < 3; ++k) a[k] = look_up(of_local, c.local[k]);
         store_sum(row, a, w);
     }
 

@@ -66,7 +66,7 @@ private:
         for (int axis = 0; axis < 3; ++axis) {
             const float* of_local = of_.object.normal[axis] + of_.cluster.first_vertex;
             VecF n[3];
-            for (int k = 0; k < 3; ++k) n[k] = hn::GatherIndex(tag_f, of_local, t.corners.local[k]);
+            for (int k = 0; k < 3; ++k) n[k] = look_up(of_local, t.corners.local[k]);
             normal[axis] = weighted_plane(n, w);
         }
     }

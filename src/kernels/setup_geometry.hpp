@@ -89,8 +89,8 @@ HWY_INLINE Corners<K> fetch(const ClusterVertices& vertices, VecI packed) {
     for (int k = 0; k < K; ++k) {
         c.local[k] = hn::And(rest, hn::Set(tag_i, max_cluster_vertices - 1));
         rest = hn::ShiftRight<corner_bits>(rest);
-        c.x[k] = hn::GatherIndex(tag_i, vertices.x, c.local[k]);
-        c.y[k] = hn::GatherIndex(tag_i, vertices.y, c.local[k]);
+        c.x[k] = look_up(vertices.x, c.local[k]);
+        c.y[k] = look_up(vertices.y, c.local[k]);
     }
     return c;
 }
@@ -115,7 +115,7 @@ template <int K>
 HWY_INLINE Outside outside_of(const ClusterVertices& vertices, const Corners<K>& c) {
     VecI all = hn::Set(tag_i, -1), any = hn::Zero(tag_i);
     for (int k = 0; k < K; ++k) {
-        const VecI code = hn::GatherIndex(tag_i, vertices.outcode, c.local[k]);
+        const VecI code = look_up(vertices.outcode, c.local[k]);
         all = hn::And(all, code), any = hn::Or(any, code);
     }
     return {hn::Ne(all, hn::Zero(tag_i)), hn::Ne(any, hn::Zero(tag_i))};
@@ -215,7 +215,7 @@ inline Triangles triangles_of(const ClusterVertices& vertices, VecI packed, cons
     t.ox = hn::And(t.box.x0, hn::Set(tag_i, ~3));
     t.oy = hn::And(t.box.y0, hn::Set(tag_i, ~3));
     t.area = area2(t.corners);
-    for (int k = 0; k < 3; ++k) t.z[k] = hn::GatherIndex(tag_f, vertices.depth, t.corners.local[k]);
+    for (int k = 0; k < 3; ++k) t.z[k] = look_up(vertices.depth, t.corners.local[k]);
     t.depth = depth_plane(t.corners, t.z, t.ox, t.oy, view);
     return t;
 }

@@ -84,7 +84,7 @@ private:
         const VecI ox = hn::And(box.x0, hn::Set(tag_i, ~3)),
                    oy = hn::And(box.y0, hn::Set(tag_i, ~3));
         VecF z[4];
-        for (int k = 0; k < 4; ++k) z[k] = hn::GatherIndex(tag_f, of_.vertices.depth, c.local[k]);
+        for (int k = 0; k < 4; ++k) z[k] = look_up(of_.vertices.depth, c.local[k]);
         const MaskI serve = serves(c, box, ox, oy, z);
         for_each_lane(hn::AndNot(serve, used), [&](std::uint32_t lane) {
             of_.divert(std::uint32_t(queue_[first + lane]) >> number_shift, worker_);
@@ -138,9 +138,8 @@ private:
         const std::uint32_t first = of_.cluster.first_vertex;
         const VecF side = side_of(c.packed);
         for (int k = 0; k < 4; ++k) {
-            const auto value = [&](const float* of_local) HWY_ATTR {
-                return hn::GatherIndex(tag_f, of_local + first, c.local[k]);
-            };
+            const auto value = [&](const float* of_local)
+                                   HWY_ATTR { return look_up(of_local + first, c.local[k]); };
             for (int axis = 0; axis < 3 && at.main >= 0 && of_.material.store_normals; ++axis)
                 rows.store(at.main + 4 * axis + k, hn::Mul(value(of_.object.normal[axis]), side));
             if (at.texcoord >= 0 && of_.material.store_texcoords) {

@@ -133,4 +133,11 @@ ClusteredMesh joined(const std::vector<ClusteredMesh>& parts) {
     return all;
 }
 
+void pad_slots(ClusteredMesh& mesh) {
+    if (mesh.clusters.empty()) return;
+    const std::size_t slots = mesh.clusters.back().first_vertex + max_cluster_vertices;
+    const auto pad = [&](auto& of) { of.resize(std::max(of.size(), slots), of.back()); };
+    pad(mesh.x), pad(mesh.y), pad(mesh.z), pad(mesh.u), pad(mesh.v), pad(mesh.vertex);
+}
+
 }  // namespace scanshade

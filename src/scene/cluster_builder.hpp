@@ -37,4 +37,7 @@ private:
 /// All clusters of several parts of a mesh.
 ClusteredMesh joined(const std::vector<ClusteredMesh>& parts);
 
+/// Appends slots, so that max_cluster_vertices of them can be read from the first of any cluster.
+void pad_slots(ClusteredMesh& mesh);
+
 }  // namespace scanshade

@@ -190,7 +190,9 @@ ClusteredMesh build_clusters(const Mesh& mesh) {
         if (!cutter) cutter = std::make_unique<Cutter>(mesh);
         for (std::size_t i = begin; i < end; ++i) parts[i] = cutter->cut(chunks.chunk(i));
     });
-    return joined(parts);
+    ClusteredMesh all = joined(parts);
+    pad_slots(all);
+    return all;
 }
 
 const ClusteredMesh& clusters_of(const Mesh& mesh, bool whole) {

@@ -73,7 +73,9 @@ ClusteredMesh build_whole_clusters(const Mesh& mesh, const ClusteredMesh& cluste
     }
     triangles.finish();
     quads.finish();
-    return builder.take();
+    ClusteredMesh all = builder.take();
+    pad_slots(all);
+    return all;
 }
 
 }  // namespace scanshade

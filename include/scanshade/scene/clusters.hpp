@@ -37,7 +37,8 @@ struct Cluster {
 };
 
 /// Slots repeat a mesh's vertices cluster by cluster. Padding repeats a cluster's first vertex, and
-/// faces of no area. Immutable once built.
+/// faces of no area; at the end there are slots enough to read max_cluster_vertices from the first of
+/// any cluster. Immutable once built.
 struct ClusteredMesh {
     std::vector<Cluster> clusters;
     std::vector<float> x, y, z;          // [slot] as in the mesh
