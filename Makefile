@@ -62,10 +62,19 @@ $(BUILD)/obj/tests/bench/packet_shading.o: ALL_CXXFLAGS += -O3 -ffast-math -mpre
 # Tests of the programs run those that were built beside them.
 $(BUILD)/obj/tests/cli/%.o $(BUILD)/obj/tests/viewer/%.o: ALL_CXXFLAGS += -DSCANSHADE_BINARY='"$(abspath $(CLI))"'
 
-$(BUILD)/obj/%.o: %.cpp | $(BUILD)/gen/brdf_models.inc
+$(BUILD)/obj/%.o: %.cpp | $(BUILD)/gen/brdf_models.inc $(BUILD)/gen/demo.found
 	@mkdir -p $(@D)
 	@echo "  CXX  $<"
 	@$(CXX) $(ALL_CXXFLAGS) -c $< -o $@
+
+# What is missing is said in a sentence, before a compiler says it in pages. Looked for once.
+$(call object,$(VIEWER_SOURCES)): | $(BUILD)/gen/viewer.found
+$(BUILD)/gen/demo.found:   NEEDS = $(DEMO_NEEDS)
+$(BUILD)/gen/viewer.found: NEEDS = $(VIEWER_NEEDS)
+$(BUILD)/gen/%.found: Makefile
+	@mkdir -p $(@D)
+	@CXX='$(CXX)' bash .ci/deps --check $(NEEDS)
+	@touch $@
 
 # The registry of reflection models is the list of files that define one.
 MODEL_FILES = $(shell grep -l '^#define SCANSHADE_MODEL ' src/brdf/*.cpp 2>/dev/null)
@@ -126,8 +135,8 @@ DEMO_NEEDS := g++:c++ libglm-dev:glm/vec3.hpp libtinyobjloader-dev:tiny_obj_load
               libtomlplusplus-dev:toml++/toml.h nlohmann-json3-dev:nlohmann/json.hpp \
               libfmt-dev:fmt/format.h libhwy-dev:hwy/highway.h \
               libmeshoptimizer-dev:meshoptimizer.h libtbb-dev:tbb/parallel_for.h
-TEST_NEEDS := $(DEMO_NEEDS) catch2:catch2/catch.hpp,catch2/catch_all.hpp libsdl2-dev:SDL2/SDL.h \
-              libimgui-dev:imgui/imgui.h \
+VIEWER_NEEDS := libsdl2-dev:SDL2/SDL.h libimgui-dev:imgui/imgui.h
+TEST_NEEDS := $(DEMO_NEEDS) $(VIEWER_NEEDS) catch2:catch2/catch.hpp,catch2/catch_all.hpp \
               fonts-dejavu-core:/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf \
               pkg-config:pkg-config python3:python3 clang-format:clang-format xvfb:Xvfb \
               xdotool:xdotool x11-apps:xwd imagemagick:convert \
