@@ -80,13 +80,13 @@ EngineObject make_object(const Object& object) {
 
 }  // namespace
 
-EngineScene::EngineScene(const Scene& scene) : nearest_light(INFINITY) {
+EngineScene::EngineScene(const Scene& scene) : nearest_light(double(INFINITY)) {
     for (const Object& object : scene.objects) {
         objects.push_back(make_object(object));
         clusters += objects.back().bounds.size();
     }
     for (const Light& light : scene.lights) {
-        double distance = INFINITY;
+        double distance = double(INFINITY);
         for (const EngineObject& object : objects)
             for (const ClusterBounds& b : object.bounds)
                 if (light.kind != LightKind::directional)

@@ -45,7 +45,7 @@ float clipped_depth(const DrawnFace& face, const View& view, SnappedPoint p) {
     if (!view.orthographic)
         return static_cast<float>(double(view.near) * (sum * face.edges.sum_to_inv_w));
     double d = 0;
-    for (int i = 0; i < 3; ++i) d += lambda[i] / sum * double(face.state[i].clip.d);
+    for (std::size_t i = 0; i < 3; ++i) d += lambda[i] / sum * double(face.state[i].clip.d);
     return view.depth({0, 0, static_cast<float>(d), 1});
 }
 

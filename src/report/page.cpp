@@ -84,9 +84,8 @@ Cell number_cell(std::string text, std::string_view style) {
     return {std::move(text), "number"};
 }
 
-Page::Page(std::string_view title, std::string_view lead) : title_(title) {
-    body_ = element("h1", "", title) + "\n" + element("p", "lead", lead) + "\n";
-}
+Page::Page(std::string_view title, std::string_view lead)
+    : title_(title), body_(element("h1", "", title) + "\n" + element("p", "lead", lead) + "\n") {}
 
 void Page::verdict(std::string_view text, bool good) {
     body_ += element("p", good ? "verdict" : "verdict failed", text) + "\n";

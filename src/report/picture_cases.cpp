@@ -8,8 +8,7 @@ namespace scanshade {
 namespace {
 
 constexpr auto flat = Shading::flat, gouraud = Shading::gouraud, phong = Shading::phong;
-constexpr auto perspective = Interpolation::perspective, edges = Interpolation::edges,
-               patch = Interpolation::patch;
+constexpr auto edges = Interpolation::edges, patch = Interpolation::patch;
 
 // ---- bounds that are wider than the usual ones, with their reasons
 

@@ -16,7 +16,7 @@ constexpr double pi = std::numbers::pi;
 PolygonSoup curved_looking(double x, double y, double half_side, double angle) {
     constexpr int n = 4;
     PolygonSoup soup;
-    const auto at = [n](int i) { return 2.0 * i / n - 1; };
+    const auto at = [](int i) { return 2.0 * i / n - 1; };
     for (int j = 0; j < n; ++j)
         for (int i = 0; i < n; ++i) {
             std::vector<glm::dvec3> corners, normals;

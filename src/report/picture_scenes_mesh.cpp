@@ -247,9 +247,9 @@ ReportInput cancelling_normals(double lift) {
              {glm::dvec3(x, -0.8, 0), glm::dvec3(x + 0.48, -0.8, 0), glm::dvec3(x + 0.48, 0.8, 0),
               glm::dvec3(x, 0.8, 0), glm::dvec3(x + 0.48, 0.8, z)})
             soup.positions.push_back(p);
-        for (const std::uint32_t corner : {0, 1, 2, 3, 3, 4, 1, 0})
+        for (const std::uint32_t corner : {0u, 1u, 2u, 3u, 3u, 4u, 1u, 0u})
             soup.corners.push_back({first + corner, no_index, no_index});
-        for (const std::uint32_t end : {4, 8})
+        for (const std::uint32_t end : {4u, 8u})
             soup.face_begin.push_back(8 * std::uint32_t(i) + end);
         soup.face_material.insert(soup.face_material.end(), 2, 0);
     }

@@ -35,12 +35,11 @@ double largest(const std::vector<Curve>& curves) {
 
 class Svg {
 public:
-    Svg() {
-        text_ = fmt::format(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" width=\"{}\" "
-            "height=\"{}\" font-family=\"sans-serif\" font-size=\"12\">\n",
-            width, height, width, height);
-    }
+    Svg()
+        : text_(fmt::format(
+              "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" width=\"{}\" "
+              "height=\"{}\" font-family=\"sans-serif\" font-size=\"12\">\n",
+              width, height, width, height)) {}
     void line(double x1, double y1, double x2, double y2, std::string_view stroke) {
         text_ += fmt::format(
             "<line x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\" stroke=\"{}\"/>\n", x1,
