@@ -50,6 +50,21 @@ glm::dmat4 slanted() {
     return glm::rotate(glm::dmat4(1), 0.3, glm::normalize(glm::dvec3(1, 0.4, 0.2)));
 }
 
+/// Two lights at that height above a slanted plane through the origin.
+SceneBuilder plane_under_lights(double height) {
+    const glm::dmat4 slant = slanted();
+    const auto above = [&](double x, double z) {
+        return glm::dvec3(slant * glm::dvec4(x, height, z, 1));
+    };
+    SceneBuilder builder;
+    builder.camera({0, 2.2, 2.2}, {0, 0, 0}, 40)
+        .light(point_light(above(-0.5, 0), 0.02, {0, 0, 1}))
+        .light(point_light(above(0.35, 0.3), 0.02, {0, 0, 1}))
+        .material(palette(1))
+        .object(shape("plane", 4), slant);
+    return builder;
+}
+
 }  // namespace
 
 ReportInput exponent(double n) {
@@ -83,17 +98,13 @@ ReportInput roughness(double m) {
     return seen_from_far(builder);
 }
 
-ReportInput light_at_height(double height) {
-    const glm::dmat4 slant = slanted();
-    const auto above = [&](double x, double z) {
-        return glm::dvec3(slant * glm::dvec4(x, height, z, 1));
-    };
-    return SceneBuilder()
-        .camera({0, 2.2, 2.2}, {0, 0, 0}, 40)
-        .light(point_light(above(-0.5, 0), 0.02, {0, 0, 1}))
-        .light(point_light(above(0.35, 0.3), 0.02, {0, 0, 1}))
-        .material(palette(1))
-        .object(shape("plane", 4), slant)
+ReportInput light_at_height(double height) { return plane_under_lights(height).take(); }
+
+ReportInput light_off_origin(double height) {
+    // Hidden by the plane: it moves the scene's middle away from it.
+    const glm::dmat4 below = glm::translate(slanted(), glm::dvec3(0.1, -1, 0.2));
+    return plane_under_lights(height)
+        .object(shape("cube", 1), glm::scale(below, glm::dvec3(0.2)))
         .take();
 }
 
