@@ -328,7 +328,7 @@ void fill_lit(float* batch, int weights, int to, const VertexLight& light);
 /// What of a material and an object decides how a sample's values are found.
 struct ResolveObject {
     Shading shading;
-    bool scalar;  // values by the scalar renderers' functions: quadrilaterals in `patch`
+    bool scalar;  // values by the scalar renderers' functions: polygons in `edges` or `patch`
 };
 struct ResolveMaterial {
     bool textured, reads_normal;

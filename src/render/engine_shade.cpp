@@ -21,8 +21,10 @@ TileShading::TileShading(const Frame& f)
     }
     for (std::size_t i = 0; i < f.scene.objects.size(); ++i) {
         const Mesh& mesh = *f.scene.objects[i].mesh;
+        // Faces that may be counted as a fallback are asked for one by one.
+        const bool polygons = f.plan.interpolation == Interpolation::edges && mesh.has_polygons;
         const bool patches = f.plan.interpolation == Interpolation::patch && mesh.has_quads;
-        objects.push_back({f.plan.objects[i].shading, patches});
+        objects.push_back({f.plan.objects[i].shading, polygons || patches});
     }
     tolerance = light_tolerance(f.plan);
     aimed_lights = f.plan.narrow_lights > 0;

@@ -15,13 +15,10 @@ void RecordMaker::add_triangle(std::size_t object, std::uint32_t triangle) {
 
 void RecordMaker::add_face(std::size_t object, std::size_t face) {
     const Mesh& mesh = *frame_.scene.objects[object].mesh;
-    if (mesh.corner_count(face) > 3) {
-        if (drawn_whole(frame_, object, face)) {
-            describe_whole(frame_, object, face, face_);
-            add();
-            return;
-        }
-        events_.add(Event::edges_fallback);
+    if (mesh.corner_count(face) > 3 && drawn_whole(frame_, object, face)) {
+        describe_whole(frame_, object, face, face_);
+        add();
+        return;
     }
     for (std::uint32_t t = mesh.face_first_triangle[face]; t < mesh.face_first_triangle[face + 1];
          ++t)

@@ -93,13 +93,10 @@ public:
         const Mesh& mesh = *frame_.scene.objects[object].mesh;
         const bool edges = frame_.plan.interpolation == Interpolation::edges;
         for (std::size_t face = 0; face < mesh.face_count(); ++face) {
-            if (edges && mesh.corner_count(face) > 3) {
-                if (drawn_whole(frame_, object, face)) {
-                    describe_whole(frame_, object, face, face_);
-                    draw();
-                    continue;
-                }
-                frame_.events.add(Event::edges_fallback);
+            if (edges && mesh.corner_count(face) > 3 && drawn_whole(frame_, object, face)) {
+                describe_whole(frame_, object, face, face_);
+                draw();
+                continue;
             }
             for (std::uint32_t t = mesh.face_first_triangle[face];
                  t < mesh.face_first_triangle[face + 1]; ++t) {
