@@ -146,8 +146,8 @@ BENCH_NEEDS := $(DEMO_NEEDS) libosmesa6-dev:GL/osmesa.h libembree-dev:embree3/rt
 REPORT_NEEDS := $(DEMO_NEEDS) gnuplot-nox:gnuplot
 LINT_NEEDS := $(TEST_NEEDS) $(BENCH_NEEDS) clang:clang++ clang-tidy:clang-tidy cppcheck:cppcheck
 
-.PHONY: deps deps-demo deps-test deps-bench deps-report deps-lint
-deps: deps-test deps-bench deps-report deps-lint  ## install the Debian packages that are missing, for all targets
+.PHONY: deps deps-demo deps-test deps-bench deps-report deps-lint deps-valgrind
+deps: deps-test deps-bench deps-report deps-lint deps-valgrind  ## install the Debian packages that are missing, for all targets
 deps-demo:
 	@CXX='$(CXX)' bash .ci/deps $(DEMO_NEEDS)
 deps-test:
@@ -156,6 +156,8 @@ deps-bench:
 	@CXX='$(CXX)' bash .ci/deps $(BENCH_NEEDS)
 deps-report:
 	@CXX='$(CXX)' bash .ci/deps $(REPORT_NEEDS)
+deps-valgrind:
+	@CXX='$(CXX)' bash .ci/deps $(TEST_NEEDS) valgrind:valgrind
 deps-lint:
 	@CXX='$(CXX)' bash .ci/deps $(LINT_NEEDS)
 
@@ -180,6 +182,13 @@ demo: deps-demo  ## draw the teapot into build/demo.png
 test: deps-test  ## build and run all tests; TAGS=[brdf] runs those of one tag
 	@$(SUBMAKE) all tests
 	@$(TESTS) $(if $(TAGS),'$(TAGS)')
+
+# Memory that was never written is what the sanitizers do not see. Small pictures by the scalar
+# renderers, every shading and interpolation, and tests of what reads files.
+.PHONY: valgrind
+valgrind: deps-valgrind  ## valgrind on small pictures by the scalar renderers and some tests; minutes
+	@$(SUBMAKE) all tests
+	@CLI=$(CLI) TESTS=$(TESTS) bash tests/support/valgrind.sh
 
 .PHONY: view-speed
 view-speed: deps-test  ## how many frames a second the viewer turns the teapot by, at 1280 × 720
