@@ -287,7 +287,7 @@ CPPCHECK := cppcheck --quiet --std=c++20 --language=c++ --enable=warning,perform
 lint: deps-lint  ## GCC's and clang's warnings, clang-tidy, cppcheck; minutes, then only what changed
 	@$(SUBMAKE) --output-sync -k $(LINTED:%.cpp=$(LINT)/%.ok) && echo "lint: all $(words $(LINTED)) files are clean" || \
 	    { echo "lint: some files are not clean; see above"; exit 1; }
-$(LINT)/%.ok: %.cpp .clang-tidy | $(BUILD)/gen/brdf_models.inc $(FACTS)
+$(LINT)/%.ok: %.cpp .clang-tidy tests/.clang-tidy | $(BUILD)/gen/brdf_models.inc $(FACTS)
 	@mkdir -p $(@D)
 	@echo "  LINT $<"
 	@g++ $(LINT_FLAGS) -Wno-psabi -Werror -fsyntax-only $<

@@ -91,8 +91,9 @@ ReportInput roughness(double m) {
         material.set("m", {m});
         material.set("f0", {std::min(4 * m * m, 0.5)});  // a highlight of about 1
         material.set_word("distribution", distribution);
-        builder.material(material).object(curved_looking(
-            -0.75 + 1.5 * (i % 2), 0.64 - 1.28 * (i / 2), 0.6, std::min(4 * m, pi / 3)));
+        const int column = i % 2, row = i / 2;
+        builder.material(material).object(
+            curved_looking(-0.75 + 1.5 * column, 0.64 - 1.28 * row, 0.6, std::min(4 * m, pi / 3)));
         ++i;
     }
     return seen_from_far(builder);

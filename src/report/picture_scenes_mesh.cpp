@@ -199,7 +199,8 @@ ReportInput odd_quads(double fold) {
         {{-1, -1, 0}, {1, -1, 0}, {0.5, 1, 0}, {0.5, 1, 0}}};
     PolygonSoup soup;
     for (int i = 0; i < 6; ++i) {
-        const glm::dvec3 centre(-1.2 + 1.2 * (i % 3), 0.55 - 1.1 * (i / 3), 0);
+        const int column = i % 3, row = i / 3;
+        const glm::dvec3 centre(-1.2 + 1.2 * column, 0.55 - 1.1 * row, 0);
         std::vector<glm::dvec3> corners, normals;
         for (const glm::dvec3& p : quads[i]) {
             corners.push_back(centre + 0.45 * turned(p.x, p.y, 0.25, 0) + glm::dvec3(0, 0, p.z));
