@@ -22,30 +22,70 @@ constexpr int gap = 8;  // pixels between cells and around letters
 const std::string row_title = "shading";
 constexpr int default_cell_width = 320;
 
+/// A label broken after spaces and hyphens, so that lines are no wider than `width` where that can
+/// be.
+std::vector<std::string> wrapped(const std::string& label, int width) {
+    std::vector<std::string> lines(1);
+    for (std::size_t begin = 0, end; begin < label.size(); begin = end) {
+        end = std::min(label.find_first_of(" -", begin), label.size() - 1) + 1;
+        const std::string piece = label.substr(begin, end - begin);
+        if (!lines.back().empty() && lettering_width(lines.back() + piece) > width)
+            lines.emplace_back();
+        lines.back() += piece;
+    }
+    return lines;
+}
+
+int widest(const std::vector<std::string>& lines) {
+    int width = 0;
+    for (const std::string& line : lines) width = std::max(width, lettering_width(line));
+    return width;
+}
+
 /// Where everything stands, in pixels.
 struct Layout {
-    int cell_width, cell_height;
-    int left, top;  // of the first cell
+    int cell_height;
+    int column_width;  // of a cell, or of a label that is wider
+    int left, top;     // of the first cell
     int width, height;
 
-    int x(std::size_t column) const { return left + int(column) * (cell_width + gap); }
+    int x(std::size_t column) const { return left + int(column) * (column_width + gap); }
     int y(std::size_t row) const { return top + int(row) * (cell_height + gap); }
 };
 
-Layout make_layout(const Settings& settings, const std::vector<std::string>& rows,
-                   const std::vector<std::string>& columns) {
-    int row_label = lettering_width(row_title);
-    for (const std::string& name : rows) row_label = std::max(row_label, lettering_width(name));
-    Layout layout{
-        settings.width, settings.height, row_label + 2 * gap, letter_height + 2 * gap, 0, 0};
-    layout.width = layout.x(columns.size());
-    layout.height = layout.y(rows.size());
+/// What stands beside the rows and, in lines, above the columns.
+struct Labels {
+    std::vector<std::string> rows;
+    std::vector<std::vector<std::string>> columns;
+};
+
+Labels make_labels(const std::vector<std::string>& rows, const std::vector<std::string>& columns,
+                   int cell_width) {
+    Labels labels{rows, {}};
+    for (const std::string& name : columns)
+        labels.columns.push_back(wrapped("brdf " + name, cell_width));
+    return labels;
+}
+
+Layout make_layout(const Settings& settings, const Labels& labels) {
+    Layout layout{};
+    std::size_t lines = 1;
+    layout.column_width = settings.width;
+    for (const std::vector<std::string>& label : labels.columns) {
+        lines = std::max(lines, label.size());
+        layout.column_width = std::max(layout.column_width, widest(label));
+    }
+    layout.cell_height = std::max(settings.height, letter_height);
+    layout.left = std::max(lettering_width(row_title), widest(labels.rows)) + 2 * gap;
+    layout.top = int(lines) * letter_height + 2 * gap;
+    layout.width = layout.x(labels.columns.size());
+    layout.height = layout.y(labels.rows.size());
     if (layout.width > max_image_side || layout.height > max_image_side)
         throw Error(Errc::usage,
                     fmt::format("a sheet of {} × {} cells of {} × {} pixels is larger than {} "
                                 "pixels on a side; a smaller --resolution fits",
-                                columns.size(), rows.size(), settings.width, settings.height,
-                                max_image_side));
+                                labels.columns.size(), labels.rows.size(), settings.width,
+                                settings.height, max_image_side));
     return layout;
 }
 
@@ -54,24 +94,21 @@ void paste(Image& sheet, const Image& cell, int x, int y) {
         std::copy_n(cell.pixel(0, row), 3 * cell.width, sheet.pixel(x, y + row));
 }
 
-/// Column labels are cut at the cell's edge rather than drawn over the next.
-std::string shortened(std::string name, int width) {
-    while (!name.empty() && lettering_width(name) > width) name.pop_back();
-    return name;
-}
-
-Image blank_sheet(const Layout& layout, const std::vector<std::string>& rows,
-                  const std::vector<std::string>& columns) {
+Image blank_sheet(const Layout& layout, const Labels& labels) {
     Image sheet(layout.width, layout.height);
     fill_rectangle(sheet, 0, 0, sheet.width, sheet.height, paper);
-    for (std::size_t c = 0; c < columns.size(); ++c)
-        draw_lettering(sheet, layout.x(c), gap, shortened("brdf " + columns[c], layout.cell_width),
-                       ink);
+    for (std::size_t c = 0; c < labels.columns.size(); ++c) {
+        int y = gap;
+        for (const std::string& line : labels.columns[c]) {
+            draw_lettering(sheet, layout.x(c), y, line, ink);
+            y += letter_height;
+        }
+    }
     // "phong" stands on both axes, so each axis says what it is.
     draw_lettering(sheet, gap, gap, row_title, ink);
-    for (std::size_t r = 0; r < rows.size(); ++r)
-        draw_lettering(sheet, gap, layout.y(r) + (layout.cell_height - letter_height) / 2, rows[r],
-                       ink);
+    for (std::size_t r = 0; r < labels.rows.size(); ++r)
+        draw_lettering(sheet, gap, layout.y(r) + (layout.cell_height - letter_height) / 2,
+                       labels.rows[r], ink);
     return sheet;
 }
 
@@ -103,8 +140,9 @@ int run_sheet(OptionParser& options, char** args) {
     std::vector<std::string> columns;
     for (const BrdfInfo* brdf : all_brdfs()) columns.emplace_back(brdf->name);
     columns.emplace_back("unlit");
-    const Layout layout = make_layout(settings, rows, columns);
-    Image sheet = blank_sheet(layout, rows, columns);
+    const Labels labels = make_labels(rows, columns, settings.width);
+    const Layout layout = make_layout(settings, labels);
+    Image sheet = blank_sheet(layout, labels);
 
     settings.given.insert({"shading", "brdf"});  // stronger than what objects say
     for (std::size_t r = 0; r < rows.size(); ++r) {

@@ -229,6 +229,7 @@ struct Record {
     } depth;
     bool affine;  // values travel linearly on the picture
     bool back;
+    bool scalar;  // values by the scalar renderers' functions, which count what falls back
     bool normals_disagree;  // interpolated normals may vanish
     std::uint32_t id, object, material, triangle;
     int x0, y0, x1, y1;                            // samples that it may cover, both ends included

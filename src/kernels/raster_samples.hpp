@@ -85,8 +85,9 @@ inline void write_owned(const RasterView& view, int tile_x, int tile_y, TileBuff
     for (int s = 0; s < TileBuffer::subtiles; ++s) {
         if (tile.written[s] || tile.owner[s] == no_ref) continue;
         const Record& owner = view.records[tile.owner[s] & ~record_bit];
-        if (view.leaves_owned && owner.depth == Record::Depth::plane && !owner.normals_disagree)
-            continue;
+        const bool has_rows =
+            owner.depth == Record::Depth::plane || owner.depth == Record::Depth::spans;
+        if (view.leaves_owned && has_rows && !owner.scalar && !owner.normals_disagree) continue;
         write_subtile(view, tile_x, tile_y, s, tile);
     }
 }

@@ -122,8 +122,9 @@ public:
             const std::uint32_t ref = refs_[item >> item_shift];
             const int block = int(item & (tile_blocks - 1));
             const BatchTriangle t(*view_.batches, ref);
-            const float X = float((block % tile_block_columns) * block_side + x_ - t.origin_x());
-            const float Y = float((block / tile_block_columns) * block_side + y_ - t.origin_y());
+            const int column = block % tile_block_columns, row = block / tile_block_columns;
+            const float X = float(column * block_side + x_ - t.origin_x());
+            const float Y = float(row * block_side + y_ - t.origin_y());
             t.draw(view_, X, Y, ref, block * block_samples, tile_);
         }
         count_ = 0;

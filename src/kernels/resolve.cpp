@@ -230,7 +230,7 @@ private:
         const std::uint32_t lanes = mask_bits(tag_i, mask);
         const Record& r = view_.raster.records[first & ~record_bit];
         const Shading shading = view_.objects[r.object].shading;
-        if (r.depth == Record::Depth::scalar || view_.objects[r.object].scalar) {
+        if (r.scalar || view_.objects[r.object].scalar) {
             leave_open(s, lanes, r.material, shading);
             return lanes;
         }

@@ -103,7 +103,7 @@ Place<R> place_in(const DrawnFace& face, const Frame& frame, SnappedPoint p, Eve
         if (homogeneous_weights(face, frame.view, p, lambda)) events.add(Event::clamped_weight);
         // Clipping by the guard band alone does not change how `edges` interpolates: on the picture.
         if (affine && (face.outside & out_depth) == 0)
-            for (int i = 0; i < 3; ++i) lambda[i] *= double(face.state[i].clip.w);
+            for (std::size_t i = 0; i < 3; ++i) lambda[i] *= double(face.state[i].clip.w);
         const double sum = lambda[0] + lambda[1] + lambda[2];
         for (int i = 0; i < 3; ++i) at.weight[i] = R(lambda[i] / sum);
         return at;
@@ -112,7 +112,7 @@ Place<R> place_in(const DrawnFace& face, const Frame& frame, SnappedPoint p, Eve
     if (affine) return at;
     // Hyperbolic: μ_i ∝ λ_i/w_i, and depth is near/w.
     R sum = R(0);
-    for (int i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i) {
         at.weight[i] = at.weight[i] * R(face.state[i].depth);
         sum = sum + at.weight[i];
     }

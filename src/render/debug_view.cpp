@@ -58,7 +58,7 @@ DebugPicture in_false_colours(const std::vector<double>& values, const DebugScal
 
 /// Of values that are there; the two are never the same.
 DebugScale scale_of(const std::vector<double>& values, double at_least, std::string unit) {
-    double low = INFINITY, high = -INFINITY;
+    double low = double(INFINITY), high = -low;
     for (const double v : values)
         if (v >= 0) low = std::min(low, v), high = std::max(high, v);
     if (!(high >= low)) low = 0, high = at_least;

@@ -353,8 +353,7 @@ EngineLight::Counts EngineLight::light(EventCounts& events) {
     each_batch(Shading::gouraud, events,
                [&](const Lit& lit, std::uint32_t b, Points&, EventCounts&) { fill(lit, b); });
     for (std::size_t r = 0; r < records_.size(); ++r)
-        if (memory_.seen_record[r] != 0 && concerns(records_[r].object) &&
-            records_[r].depth != Record::Depth::scalar)
+        if (memory_.seen_record[r] != 0 && concerns(records_[r].object) && !records_[r].scalar)
             light_record(records_[r], events);
     return counts;
 }

@@ -94,7 +94,7 @@ EngineObject make_object(const Object& object, Interpolation interpolation) {
 
 /// From the light to the nearest sphere around triangles; those of faces of any number of corners.
 double distance_to(const Light& light, const std::vector<ClusterBounds>& bounds) {
-    double distance = INFINITY;
+    double distance = double(INFINITY);
     if (light.kind == LightKind::directional) return distance;
     for (const ClusterBounds& b : bounds)
         distance = std::min(distance,
@@ -105,8 +105,8 @@ double distance_to(const Light& light, const std::vector<ClusterBounds>& bounds)
 }  // namespace
 
 EngineScene::EngineScene(const Scene& scene, Interpolation interpolation)
-    : nearest_light(INFINITY) {
-    light_distance.assign(scene.lights.size(), INFINITY);
+    : nearest_light(double(INFINITY)) {
+    light_distance.assign(scene.lights.size(), double(INFINITY));
     for (const Object& object : scene.objects) {
         objects.push_back(make_object(object, interpolation));
         const auto bounds = bounds_of(clusters_of(*object.mesh), MeshMap(object));

@@ -37,7 +37,7 @@ public:
     EventCounts events;
     PlanSavings saved;
     std::uint64_t tolerated_lights = 0;
-    const PatchFallbacks& fallbacks() const { return face_.fallbacks; }
+    const Fallbacks& fallbacks() const { return face_.fallbacks; }
 
 private:
     void choose_lights(int x, int y, const TileBuffer& tile);

@@ -34,7 +34,7 @@ public:
                 TexturePlanes(frame_, object, id - frame_.plan.objects[object].first_triangle);
         std::uint32_t quad[4];
         patch_ = patch_corners(frame_, drawn, quad, quad_);
-        if (!patch_ && wants_patch(frame_, drawn)) fall_back();
+        if (falls_back(frame_, drawn, patch_)) fall_back();
         vertex.assign(drawn.vertex.begin(), drawn.vertex.end());
         // A patch can fall back to its triangle at a sample, so both sets of corners are there.
         if (patch_) vertex.insert(vertex.end(), quad, quad + 4);
@@ -97,7 +97,7 @@ public:
     std::vector<std::uint32_t> vertex;  // of the corners
     // Set by whoever lights points: at each corner (Gouraud), or one value (flat).
     std::vector<Rgb<T>> radiance, unreflecting;
-    PatchFallbacks fallbacks;
+    Fallbacks fallbacks;
 
 private:
     void fall_back() {

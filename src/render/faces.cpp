@@ -111,7 +111,7 @@ namespace {
 
 /// Twice the area, the order of corners, and the depth's plane where it serves.
 bool measure_triangle(const Frame& frame, DrawnFace& face) {
-    for (int i = 0; i < 3; ++i) face.point[i] = face.state[i].point;
+    for (std::size_t i = 0; i < 3; ++i) face.point[i] = face.state[i].point;
     const std::int64_t area = twice_area(face.point);
     face.empty = area == 0;
     if (face.empty) return false;

@@ -22,9 +22,9 @@ struct LitPoints {
     std::vector<T> unreflecting[3];  // [key] with albedo 0; empty where nothing is textured
 };
 
-/// Quadrilaterals of a frame that `patch` gave barycentric weights, by their first triangle in the
-/// scene: tiles, threads and sample positions see the same ones, and each counts once.
-using PatchFallbacks = std::unordered_set<std::uint32_t>;
+/// Seen faces of a frame that `edges` or `patch` could not carry as it would, by their first triangle
+/// in the scene: tiles, threads and sample positions see the same ones, and each counts once.
+using Fallbacks = std::unordered_set<std::uint32_t>;
 
 class Engine;
 
@@ -66,11 +66,13 @@ struct Frame {
     EventCounts events;
     std::uint64_t items = 0;  // what the running stage worked on
 
-    void count(const PatchFallbacks& seen) {
+    void count(const Fallbacks& seen) {
+        const bool edges = plan.interpolation == Interpolation::edges;
         for (const std::uint32_t face : seen)
-            if (patch_fallbacks.insert(face).second) events.add(Event::patch_fallback);
+            if (fallbacks.insert(face).second)
+                events.add(edges ? Event::edges_fallback : Event::patch_fallback);
     }
-    PatchFallbacks patch_fallbacks;
+    Fallbacks fallbacks;
 };
 
 /// Fills frame.vertices.

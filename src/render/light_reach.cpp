@@ -37,7 +37,8 @@ Range distance_range(const ResolveView& view, const TileBuffer& tile) {
 
 TileSphere tile_sphere(const ResolveView& view, int x, int y, const TileBuffer& tile) {
     const Range range = distance_range(view, tile);
-    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double low[3] = {infinity, infinity, infinity}, high[3] = {-infinity, -infinity, -infinity};
     for (const double d : {range.nearest, range.farthest})
         for (const int px : {x - 1, x + view.raster.tile})
             for (const int py : {y - 1, y + view.raster.tile})

@@ -105,7 +105,8 @@ RenderPlan make_plan(const Scene& scene, const Settings& settings) {
     plan.exposure_ev = settings.exposure_ev;
     plan.tolerance = settings.tolerance;
     plan.cull = settings.cull;
-    for (int c = 0; c < 3; ++c) plan.background[c] = static_cast<float>(settings.background[c]);
+    for (int c = 0; c < 3; ++c)
+        plan.background[std::size_t(c)] = static_cast<float>(settings.background[c]);
     const Bounds bounds = scene.bounds();
     const double aspect = double(settings.width) / double(settings.height);
     plan.camera = scene.camera ? *scene.camera : framed_camera(bounds, aspect);

@@ -22,10 +22,11 @@ void RecordMaker::add(std::size_t object, std::uint32_t triangle) {
         describe_whole(frame_, object, face, face_);
         return add_drawn();
     }
-    events_.add(Event::edges_fallback);
+    falls_back_ = true;
     for (std::uint32_t t = mesh.face_first_triangle[face]; t < mesh.face_first_triangle[face + 1];
          ++t)
         add_triangle(object, t);
+    falls_back_ = false;
 }
 
 void RecordMaker::add_drawn() {
@@ -57,6 +58,7 @@ void RecordMaker::add_drawn() {
         into_.points.insert(into_.points.end(), point_.begin(), point_.end());
     }
     describe_depth(r);
+    r.scalar = falls_back_ || r.depth == Record::Depth::scalar;
     if (r.depth != Record::Depth::scalar) describe_values(r);
     put_into_tiles(r);
 }

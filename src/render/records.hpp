@@ -65,6 +65,7 @@ private:
     EventCounts& events_;
     DrawnFace face_;
     std::vector<SnappedPoint> point_;
+    bool falls_back_ = false;  // the face is not drawn whole, though `edges` would
 };
 
 }  // namespace scanshade

@@ -34,7 +34,7 @@ public:
         for (std::size_t m = 0; m < batches_.size(); ++m) finish_batch(m);
     }
 
-    const PatchFallbacks& fallbacks() const { return face_.fallbacks; }
+    const Fallbacks& fallbacks() const { return face_.fallbacks; }
 
 private:
     void shade_sample(SnappedPoint p, std::size_t to) {

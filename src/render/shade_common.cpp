@@ -12,15 +12,24 @@ LightingPair<float> lighting_of<float>(const Frame& frame) {
     return {to_float(frame.lighting), to_float(frame.unlit)};
 }
 
-bool wants_patch(const Frame& frame, const DrawnFace& face) {
-    return frame.plan.interpolation == Interpolation::patch &&
-           frame.scene.objects[face.object].mesh->corner_count(face.face) == 4;
+bool falls_back(const Frame& frame, const DrawnFace& face, bool has_patch) {
+    const std::size_t corners = frame.scene.objects[face.object].mesh->corner_count(face.face);
+    switch (frame.plan.interpolation) {
+        case Interpolation::perspective:
+            return false;
+        case Interpolation::edges:
+            return corners > 3 && face.carrier != Carrier::polygon;
+        case Interpolation::patch:
+            return corners == 4 && !has_patch;
+    }
+    return false;
 }
 
 bool patch_corners(const Frame& frame, const DrawnFace& face, std::uint32_t (&vertex)[4],
                    PictureCorner (&corner)[4]) {
-    if (!wants_patch(frame, face)) return false;
     const Mesh& mesh = *frame.scene.objects[face.object].mesh;
+    if (frame.plan.interpolation != Interpolation::patch || mesh.corner_count(face.face) != 4)
+        return false;
     constexpr std::uint32_t order[4] = {0, 1, 3, 2};
     for (int i = 0; i < 4; ++i) {
         vertex[i] = mesh.corner[mesh.face_begin[face.face] + order[i]];

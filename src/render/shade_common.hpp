@@ -53,8 +53,8 @@ inline std::uint32_t material_of(const Frame& frame, std::size_t object, std::si
     return frame.plan.objects[object].materials[mesh.face_material[face]];
 }
 
-/// Whether a face is a quadrilateral in `patch`.
-bool wants_patch(const Frame& frame, const DrawnFace& face);
+/// Whether `edges` or `patch` draw this face as triangles in place of what they would.
+bool falls_back(const Frame& frame, const DrawnFace& face, bool has_patch);
 
 /// The four corners A B C D of a quadrilateral in `patch`. False: barycentric, also for one that is
 /// not strictly convex on the picture or reaches beyond near, far or the guard band.

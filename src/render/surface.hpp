@@ -59,7 +59,7 @@ struct Batch {
     }
 
     void push_albedo(const std::array<float, 3>& a) {
-        for (int c = 0; c < 3; ++c) albedo[c].push_back(T(a[c]));
+        for (std::size_t c = 0; c < 3; ++c) albedo[c].push_back(T(a[c]));
     }
 
     /// Takes the padding away that illuminate has added, to light the same points again.

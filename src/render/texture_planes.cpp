@@ -47,7 +47,7 @@ TexturePlanes::TexturePlanes(const Frame& frame, std::size_t object, std::uint32
         return sum;
     };
     const auto from_first = [&](const std::vector<float>& coordinate) {
-        const auto value = [&](int i) { return double(coordinate[corner[i]]); };
+        const auto value = [&](std::size_t i) { return double(coordinate[corner[i]]); };
         return plane({0, value(1) - value(0), value(2) - value(0)});
     };
     u_ = from_first(mesh.u);

@@ -58,11 +58,11 @@ ObjectView make_object_view(const Object& object, const View& view) {
     const double scale[3] = {view.pixels_per_unit, -view.pixels_per_unit, -1};
     ObjectView out{};
     auto& m = out.to_clip;
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 3; ++column)
-            m[row][column] =
-                static_cast<float>(scale[row] * linear[column][row] * object.mesh->unit);
-        m[row][3] = static_cast<float>(scale[row] * origin[row]);
+    for (int r = 0; r < 3; ++r) {
+        auto& row = m[std::size_t(r)];
+        for (int c = 0; c < 3; ++c)
+            row[std::size_t(c)] = static_cast<float>(scale[r] * linear[c][r] * object.mesh->unit);
+        row[3] = static_cast<float>(scale[r] * origin[r]);
     }
     if (view.orthographic)
         m[3] = {0, 0, 0, 1};
@@ -75,7 +75,7 @@ ObjectView make_object_view(const Object& object, const View& view) {
 VertexState transform_vertex(const Mesh& mesh, std::uint32_t vertex, const ObjectView& object,
                              const View& view) {
     const float x = mesh.x[vertex], y = mesh.y[vertex], z = mesh.z[vertex];
-    const auto row = [&](int r) {
+    const auto row = [&](std::size_t r) {
         const auto& m = object.to_clip[r];
         return ((m[0] * x + m[1] * y) + m[2] * z) + m[3];
     };

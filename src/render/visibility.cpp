@@ -50,7 +50,7 @@ float clipped_depth(const DrawnFace& face, const View& view, SnappedPoint p) {
     if (!view.orthographic)
         return static_cast<float>(double(view.near) * (sum * face.edges.sum_to_inv_w));
     double d = 0;
-    for (int i = 0; i < 3; ++i) d += lambda[i] / sum * double(face.state[i].clip.d);
+    for (std::size_t i = 0; i < 3; ++i) d += lambda[i] / sum * double(face.state[i].clip.d);
     return view.depth({0, 0, static_cast<float>(d), 1});
 }
 
@@ -98,13 +98,10 @@ public:
         const Mesh& mesh = *frame_.scene.objects[object].mesh;
         const bool edges = frame_.plan.interpolation == Interpolation::edges;
         for (std::size_t face = 0; face < mesh.face_count(); ++face) {
-            if (edges && mesh.corner_count(face) > 3) {
-                if (drawn_whole(frame_, object, face)) {
-                    describe_whole(frame_, object, face, face_);
-                    draw();
-                    continue;
-                }
-                frame_.events.add(Event::edges_fallback);
+            if (edges && mesh.corner_count(face) > 3 && drawn_whole(frame_, object, face)) {
+                describe_whole(frame_, object, face, face_);
+                draw();
+                continue;
             }
             for (std::uint32_t t = mesh.face_first_triangle[face];
                  t < mesh.face_first_triangle[face + 1]; ++t) {

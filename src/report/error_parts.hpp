@@ -21,6 +21,16 @@ Scene retessellated(const Scene& scene, double factor, Retessellate which = Rete
 /// Triangles of its smooth shapes, each mesh counted once.
 double predicted_triangles(const Scene& scene, double factor);
 
+/// The axis `interpolation`.
+std::vector<ErrorMethod> interpolation_methods(const ReportInput& input);
+ErrorReference interpolation_reference(const ReportInput& input, const MakeDrawing& make);
+
+/// Where samples are no subject: one a pixel.
+ReportInput with_one_sample(ReportInput input);
+
+/// The mean square of what a picture shows, to its root.
+double root_mean_square(const Framebuffer& frame);
+
 /// Fits how fast errors fall along the axis, and what that says of the reference's own error.
 void finish_orders(ErrorAxisResult& result);
 

@@ -94,8 +94,8 @@ Cell number_cell(std::string text, std::string_view style) {
     return {std::move(text), "number"};
 }
 
-Page::Page(std::string_view title, std::string_view lead) : title_(title) {
-    body_ = element("h1", "", title_) + "\n";
+Page::Page(std::string_view title, std::string_view lead)
+    : title_(title), body_(element("h1", "", title) + "\n") {
     this->lead(lead);
 }
 

@@ -224,11 +224,11 @@ private:
     std::vector<Span> spans_;  // by triangle, then from the top
     std::vector<Span>::const_iterator next_;
     std::size_t object_ = 0;
-    std::vector<glm::dvec3> eye_;                                      // [vertex] of the object
-    std::vector<Rounding> rounding_;                                   // [vertex]
-    std::vector<char> covered_, reference_covered_, at_edge_, moved_;  // [sample]
-    std::vector<double> nearest_;                                      // [sample] larger is nearer
-    std::vector<std::uint32_t> nearest_id_;                            // [sample]
+    std::vector<glm::dvec3> eye_;     // [vertex] of the object
+    std::vector<Rounding> rounding_;  // [vertex]
+    std::vector<std::uint8_t> covered_, reference_covered_, at_edge_, moved_;  // [sample]: bool
+    std::vector<double> nearest_;            // [sample] larger is nearer
+    std::vector<std::uint32_t> nearest_id_;  // [sample]
 };
 
 }  // namespace

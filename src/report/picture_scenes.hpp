@@ -68,7 +68,8 @@ ReportInput exponent(double n);
 ReportInput roughness(double m);
 /// A point light `height` above a plane, over a vertex and over the middle of a face; brightness
 /// falls with the square of the distance.
-ReportInput light_at_height(double height);
+ReportInput light_at_height(double height);   // over a plane through the scene's middle
+ReportInput light_off_origin(double height);  // over one beside it
 /// A point light in the middle of a mesh, that the camera sees the inside of.
 ReportInput light_inside(double radius);
 /// A point light in that distance.

@@ -16,7 +16,7 @@ constexpr double pi = std::numbers::pi;
 PolygonSoup curved_looking(double x, double y, double half_side, double angle) {
     constexpr int n = 4;
     PolygonSoup soup;
-    const auto at = [n](int i) { return 2.0 * i / n - 1; };
+    const auto at = [](int i) { return 2.0 * i / n - 1; };
     for (int j = 0; j < n; ++j)
         for (int i = 0; i < n; ++i) {
             std::vector<glm::dvec3> corners, normals;
@@ -50,6 +50,21 @@ glm::dmat4 slanted() {
     return glm::rotate(glm::dmat4(1), 0.3, glm::normalize(glm::dvec3(1, 0.4, 0.2)));
 }
 
+/// Two lights at that height above a slanted plane through the origin.
+SceneBuilder plane_under_lights(double height) {
+    const glm::dmat4 slant = slanted();
+    const auto above = [&](double x, double z) {
+        return glm::dvec3(slant * glm::dvec4(x, height, z, 1));
+    };
+    SceneBuilder builder;
+    builder.camera({0, 2.2, 2.2}, {0, 0, 0}, 40)
+        .light(point_light(above(-0.5, 0), 0.02, {0, 0, 1}))
+        .light(point_light(above(0.35, 0.3), 0.02, {0, 0, 1}))
+        .material(palette(1))
+        .object(shape("plane", 4), slant);
+    return builder;
+}
+
 }  // namespace
 
 ReportInput exponent(double n) {
@@ -76,24 +91,21 @@ ReportInput roughness(double m) {
         material.set("m", {m});
         material.set("f0", {std::min(4 * m * m, 0.5)});  // a highlight of about 1
         material.set_word("distribution", distribution);
-        builder.material(material).object(curved_looking(
-            -0.75 + 1.5 * (i % 2), 0.64 - 1.28 * (i / 2), 0.6, std::min(4 * m, pi / 3)));
+        const int column = i % 2, row = i / 2;
+        builder.material(material).object(
+            curved_looking(-0.75 + 1.5 * column, 0.64 - 1.28 * row, 0.6, std::min(4 * m, pi / 3)));
         ++i;
     }
     return seen_from_far(builder);
 }
 
-ReportInput light_at_height(double height) {
-    const glm::dmat4 slant = slanted();
-    const auto above = [&](double x, double z) {
-        return glm::dvec3(slant * glm::dvec4(x, height, z, 1));
-    };
-    return SceneBuilder()
-        .camera({0, 2.2, 2.2}, {0, 0, 0}, 40)
-        .light(point_light(above(-0.5, 0), 0.02, {0, 0, 1}))
-        .light(point_light(above(0.35, 0.3), 0.02, {0, 0, 1}))
-        .material(palette(1))
-        .object(shape("plane", 4), slant)
+ReportInput light_at_height(double height) { return plane_under_lights(height).take(); }
+
+ReportInput light_off_origin(double height) {
+    // Hidden by the plane: it moves the scene's middle away from it.
+    const glm::dmat4 below = glm::translate(slanted(), glm::dvec3(0.1, -1, 0.2));
+    return plane_under_lights(height)
+        .object(shape("cube", 1), glm::scale(below, glm::dvec3(0.2)))
         .take();
 }
 

@@ -199,7 +199,8 @@ ReportInput odd_quads(double fold) {
         {{-1, -1, 0}, {1, -1, 0}, {0.5, 1, 0}, {0.5, 1, 0}}};
     PolygonSoup soup;
     for (int i = 0; i < 6; ++i) {
-        const glm::dvec3 centre(-1.2 + 1.2 * (i % 3), 0.55 - 1.1 * (i / 3), 0);
+        const int column = i % 3, row = i / 3;
+        const glm::dvec3 centre(-1.2 + 1.2 * column, 0.55 - 1.1 * row, 0);
         std::vector<glm::dvec3> corners, normals;
         for (const glm::dvec3& p : quads[i]) {
             corners.push_back(centre + 0.45 * turned(p.x, p.y, 0.25, 0) + glm::dvec3(0, 0, p.z));
@@ -247,9 +248,9 @@ ReportInput cancelling_normals(double lift) {
              {glm::dvec3(x, -0.8, 0), glm::dvec3(x + 0.48, -0.8, 0), glm::dvec3(x + 0.48, 0.8, 0),
               glm::dvec3(x, 0.8, 0), glm::dvec3(x + 0.48, 0.8, z)})
             soup.positions.push_back(p);
-        for (const std::uint32_t corner : {0, 1, 2, 3, 3, 4, 1, 0})
+        for (const std::uint32_t corner : {0u, 1u, 2u, 3u, 3u, 4u, 1u, 0u})
             soup.corners.push_back({first + corner, no_index, no_index});
-        for (const std::uint32_t end : {4, 8})
+        for (const std::uint32_t end : {4u, 8u})
             soup.face_begin.push_back(8 * std::uint32_t(i) + end);
         soup.face_material.insert(soup.face_material.end(), 2, 0);
     }

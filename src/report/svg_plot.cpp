@@ -91,12 +91,11 @@ Scale y_scale(const Axes& axes, const std::vector<Curve>& curves) {
 
 class Svg {
 public:
-    Svg() {
-        text_ = fmt::format(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" width=\"{}\" "
-            "height=\"{}\" font-family=\"sans-serif\" font-size=\"12\">\n",
-            width, height, width, height);
-    }
+    Svg()
+        : text_(fmt::format(
+              "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" width=\"{}\" "
+              "height=\"{}\" font-family=\"sans-serif\" font-size=\"12\">\n",
+              width, height, width, height)) {}
     void line(double x1, double y1, double x2, double y2, std::string_view stroke,
               bool dashed = false) {
         text_ += fmt::format(

@@ -15,8 +15,8 @@ namespace scanshade {
 /// v / |v| without overflow or underflow, or nothing for a vector of no length or not finite.
 std::optional<glm::dvec3> safe_normalize(const glm::dvec3& v);
 
-/// The unit Newell normal, or nothing where the polygon's area is no larger than the rounding of
-/// its computation: collinear corners, fewer than three distinct ones, loops that cancel.
+/// The unit Newell normal, or nothing where it is 0: collinear corners, fewer than three distinct
+/// ones, loops of more than four corners that cancel.
 std::optional<glm::dvec3> unit_newell_normal(std::span<const glm::dvec3> polygon);
 
 /// The faces of a soup that have an area.

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <limits>
 
 #include "scanshade/base/error.hpp"
 #include "scanshade/scene/obj.hpp"
@@ -22,7 +23,8 @@ std::size_t Scene::triangle_count() const {
 }
 
 Bounds Scene::bounds() const {
-    glm::dvec3 low(INFINITY), high(-INFINITY);
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    glm::dvec3 low(infinity), high(-infinity);
     for (const Object& object : objects) {
         const Mesh& mesh = *object.mesh;
         for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
@@ -190,8 +192,10 @@ Scene single_object_scene(std::shared_ptr<const Mesh> mesh, Material material) {
         mesh->face_material.empty()
             ? 1
             : *std::max_element(mesh->face_material.begin(), mesh->face_material.end()) + 1;
-    scene.objects.push_back(
-        {std::move(mesh), glm::dmat4(1), std::vector<std::uint32_t>(materials, 0), {}});
+    Object object;
+    object.mesh = std::move(mesh);
+    object.materials.resize(materials);
+    scene.objects.push_back(std::move(object));
     scene.materials.push_back(std::move(material));
     scene.ambient = default_ambient;
     const Bounds bounds = scene.bounds();

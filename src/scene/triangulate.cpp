@@ -47,6 +47,22 @@ glm::dvec3 newell_sum(std::span<const glm::dvec3> corners) {
     return sum;
 }
 
+/// Newell's sum, or what serves in its place; 0 where no digit of it is sure.
+glm::dvec3 facing(std::span<const glm::dvec3> corners) {
+    // Each cross product errs by at most a few units of rounding of the product of its lengths,
+    // which is below 12 here.
+    const double rounding = 0x1p-48 * double(corners.size());
+    const glm::dvec3 sum = newell_sum(corners);
+    if (glm::length(sum) > rounding) return sum;
+    if (corners.size() != 4) return glm::dvec3(0);
+    // A quadrilateral's sum is the cross product of its diagonals. Where they are parallel, but on two
+    // lines, its corners are those of a trapezoid in another order: halves that cancel.
+    const bool folded = glm::distance(corners[0], corners[2]) <= rounding ||
+                        glm::distance(corners[1], corners[3]) <= rounding;
+    const glm::dvec3 first = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    return folded || glm::length(first) <= rounding ? glm::dvec3(0) : first;
+}
+
 struct GridPoint {
     std::int64_t x, y;  // at most 2^29
     bool operator==(const GridPoint&) const = default;
@@ -247,26 +263,21 @@ std::vector<Triangle> fan(std::size_t corners) {
 glm::dvec3 newell_normal(const std::vector<glm::dvec3>& polygon) {
     if (polygon.size() < 3) return glm::dvec3(0);
     const LocalPolygon local = localised(polygon);
-    const glm::dvec3 n = newell_sum(local.corners);
+    const glm::dvec3 n = facing(local.corners);
     const int exponent = 2 * local.exponent;
     return {std::ldexp(n.x, exponent), std::ldexp(n.y, exponent), std::ldexp(n.z, exponent)};
 }
 
 std::optional<glm::dvec3> unit_newell_normal(std::span<const glm::dvec3> polygon) {
     if (polygon.size() < 3) return std::nullopt;
-    const LocalPolygon local = localised(polygon);
-    const glm::dvec3 n = newell_sum(local.corners);
-    // Each cross product errs by at most a few units of rounding of the product of its lengths,
-    // which is below 12 here.
-    const double rounding = 0x1p-48 * double(polygon.size());
-    return glm::length(n) > rounding ? safe_normalize(n) : std::nullopt;
+    return safe_normalize(facing(localised(polygon).corners));
 }
 
 std::vector<Triangle> triangulate(const std::vector<glm::dvec3>& polygon, EventCounts& events) {
     if (polygon.size() < 3) return {};
     if (polygon.size() == 3) return fan(3);
     const LocalPolygon local = localised(polygon);
-    const std::vector<GridPoint> points = project(local.corners, newell_sum(local.corners));
+    const std::vector<GridPoint> points = project(local.corners, facing(local.corners));
     const Turning turns = turning(points);
     if (turns.convex() || (!turns.right_turn && turns.rounds == 0)) return fan(polygon.size());
     events.add(Event::concave_face);

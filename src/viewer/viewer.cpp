@@ -62,7 +62,9 @@ void Viewer::run() {
 }
 
 void Viewer::wait_for_events() {
-    const auto patience = frames_to_show_ > 0 ? 0ms : !picture_.final() ? rest : look_interval;
+    const auto patience = frames_to_show_ > 0 ? std::chrono::milliseconds::zero()
+                          : !picture_.final() ? rest
+                                              : look_interval;
     SDL_Event event;
     if (SDL_WaitEventTimeout(&event, static_cast<int>(patience.count())) != 0) {
         handle(event);

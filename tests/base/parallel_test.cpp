@@ -15,8 +15,8 @@ using namespace scanshade;
 
 TEST_CASE("parallel_for visits each index once, in pieces of the grain at most", "[threads]") {
     for (const int threads : {0, 1, 2, 3, 7, 20})
-        for (const std::size_t count : {0, 1, 2, 16, 17, 1000})
-            for (const std::size_t grain : {1, 3, 16, 5000}) {
+        for (const std::size_t count : {0u, 1u, 2u, 16u, 17u, 1000u})
+            for (const std::size_t grain : {1u, 3u, 16u, 5000u}) {
                 std::vector<int> visits(count);
                 std::mutex mutex;
                 bool sizes = true;

@@ -46,6 +46,7 @@ INLINE void load(const Points& points, std::size_t first, const PacketLighting& 
 }
 
 template <bool blinn>
+// cppcheck-suppress passedByValue ; a copy cannot change with what is stored into b
 INLINE void add_light(const PeerLight light, Block& b) {
     for (std::size_t i = 0; i < b.count; ++i) {
         const float dx = light.position[0] - b.P[0][i];

@@ -98,7 +98,7 @@ TEST_CASE("each model is finite, not negative, and exact to its bound in float",
                     REQUIRE(f32[ch] >= 0);
                     REQUIRE(std::abs(double(f32[ch]) - f64[ch]) <=
                             error_u * 0x1p-24 * f64[ch] + 1e-30);
-                    REQUIRE(std::abs(double(f64[ch] - f80[ch])) <=
+                    REQUIRE(std::abs(double((long double)f64[ch] - f80[ch])) <=
                             error_u * 0x1p-53 * f64[ch] + 1e-200);
                 }
             }
@@ -145,7 +145,7 @@ TEST_CASE("each model in duals has double's value and its slope", "[brdf][proper
                 Cosines<PlainDual> x = {fixed(c.n_i), fixed(c.n_o),    fixed(c.n_h), fixed(c.r_o),
                                         fixed(c.i_h), fixed(c.sin2_h), fixed(c.s_io)};
                 x.n_i.derivative = 1;
-                const auto slope_at = [&](double step) {
+                const auto slope_at = [&](long double step) {
                     Cosines<long double> moved = cosines_as<long double>(c);
                     moved.n_i += step;
                     return (brdf->f_cos_f80(moved, params_as<long double>(p))[1] -
@@ -157,7 +157,7 @@ TEST_CASE("each model in duals has double's value and its slope", "[brdf][proper
                 REQUIRE(f.value == brdf->f_cos_f64(c, p)[1]);
                 REQUIRE(std::isfinite(f.derivative));
                 REQUIRE(condition_number(c.n_i, f) >= 0);
-                const double h = 1e-6 * c.n_i;
+                const long double h = 1e-6L * (long double)c.n_i;
                 const double left = double(slope_at(-h)), right = double(slope_at(h));
                 if (!(std::abs(left - right) <= 1e-4 * (std::abs(left) + 1e-6))) continue;
                 ++compared;

@@ -1,6 +1,7 @@
 // What render, sheet, explain and info give when all is well.
 #include <nlohmann/json.hpp>
 
+#include "cli/lettering.hpp"
 #include "cli/process.hpp"
 #include "scanshade/brdf/brdf.hpp"
 #include "scanshade/image/png.hpp"
@@ -139,24 +140,53 @@ TEST_CASE("progress is shown on a terminal only", "[cli]") {
     CHECK(piped.err.find('\r') == std::string::npos);
 }
 
-TEST_CASE("a sheet has a cell for every shading and reflection model", "[cli]") {
+/// A sheet of cells of `side` × 30 pixels, and where they stand.
+struct Sheet {
+    static constexpr int gap = 8;
+    Image image;
+    int rows = 0, columns = 0, left = 0, top = 0, pitch = 0;
+};
+
+Sheet draw_sheet(int side) {
     const TempFolder folder;
     const std::string in = write_triangle(folder), out = folder.path / "out.png";
-    run_well({"sheet", in, "-o", out, "--resolution", "40,30"});
-    const Image sheet = load_image(out);
-    const int columns = int(all_brdfs().size()) + 1, rows = int(shading_names().size());
-    const int gap = 8, label = 20 + 2 * gap;
-    CHECK(sheet.height == label + rows * (30 + gap));
-    const int left = sheet.width - columns * (40 + gap);
-    CHECK(left > 2 * gap);
+    run_well({"sheet", in, "-o", out, "--resolution", std::to_string(side) + ",30"});
+    Sheet sheet{load_image(out)};
+    sheet.rows = int(shading_names().size());
+    sheet.columns = int(all_brdfs().size()) + 1;
+    sheet.left = lettering_width("shading") + 2 * Sheet::gap;
+    sheet.top = sheet.image.height - sheet.rows * (30 + Sheet::gap);
+    sheet.pitch = (sheet.image.width - sheet.left) / sheet.columns;
+    return sheet;
+}
+
+TEST_CASE("a sheet has a cell for every shading and reflection model", "[cli]") {
+    const Sheet sheet = draw_sheet(40);
+    REQUIRE(sheet.pitch >= 40 + Sheet::gap);
     // The middle of each cell shows the triangle: it differs from the cell's own corner.
-    for (int r = 0; r < rows; ++r)
-        for (int c = 0; c < columns; ++c) {
+    for (int r = 0; r < sheet.rows; ++r)
+        for (int c = 0; c < sheet.columns; ++c) {
             CAPTURE(r, c);
-            const int x = left + c * (40 + gap), y = label + r * (30 + gap);
-            CHECK_FALSE(
-                std::equal(sheet.pixel(x, y), sheet.pixel(x, y) + 3, sheet.pixel(x + 20, y + 15)));
+            const int x = sheet.left + c * sheet.pitch, y = sheet.top + r * (30 + Sheet::gap);
+            const std::uint8_t* corner = sheet.image.pixel(x, y);
+            CHECK_FALSE(std::equal(corner, corner + 3, sheet.image.pixel(x + 20, y + 15)));
         }
+}
+
+TEST_CASE("labels of a sheet are whole, however small its cells are", "[cli]") {
+    const auto lettered = [](const Sheet& sheet) {
+        const std::uint8_t* paper = sheet.image.pixel(0, 0);
+        int pixels = 0;
+        for (int y = 0; y < sheet.top; ++y)
+            for (int x = sheet.left; x < sheet.image.width; ++x)
+                pixels += !std::equal(paper, paper + 3, sheet.image.pixel(x, y));
+        return pixels;
+    };
+    const Sheet wide = draw_sheet(400), narrow = draw_sheet(40);
+    CHECK(wide.top == letter_height + 2 * Sheet::gap);
+    CHECK(narrow.top > wide.top);
+    CHECK(narrow.pitch < wide.pitch / 2);
+    CHECK(lettered(narrow) == lettered(wide));
 }
 
 TEST_CASE("--stats says what each row of the plan saved, of how much, and --verbose too", "[cli]") {

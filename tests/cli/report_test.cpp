@@ -134,8 +134,8 @@ TEST_CASE("a report says on a terminal what is measured and how long it will tak
     const TempFolder folder;
     const std::string in = write_triangle(folder), out = folder.path / "report";
     // More than any machine measures in the second after which the line comes.
-    const Finished run =
-        run_scanshade_on_terminal({"report", "plan", in, "-o", out, "--runs", "10000"}, " left (");
+    const Finished run = run_scanshade_on_terminal(
+        {"report", "plan", in, "-o", out, "--resolution", "64,48", "--runs", "10000"}, " left (");
     CAPTURE(run.err);
     CHECK(run.status == 130);
     CHECK(run.err.find("measuring triangle: ") != std::string::npos);

@@ -33,7 +33,8 @@ TEST_CASE("(A1) unit directions have length 1 and do not depend on the scale", "
         const long double length =
             std::sqrt((long double)v.x * (long double)v.x + (long double)v.y * (long double)v.y +
                       (long double)v.z * (long double)v.z);
-        CHECK(std::abs(double(w.x - v.x / length)) <= 4 * u64 * std::abs(w.x));
+        CHECK(std::abs(double((long double)w.x - (long double)v.x / length)) <=
+              4 * u64 * std::abs(w.x));
     }
     const Vec3<double> zero = unit_direction(Vec3<double>{0, 0, 0});
     CHECK(dot(zero, zero) == 0);

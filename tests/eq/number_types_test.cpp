@@ -131,7 +131,7 @@ TEST_CASE("every equation keeps its error bound in float and in double", "[eq][n
             CAPTURE(k, exact, f32[k]);
             REQUIRE(std::isfinite(exact));
             CHECK(std::abs(double(f32[k]) - exact) <= row.info.error_u * 0x1p-24 * size + 1e-37);
-            CHECK(std::abs(double(f64[k] - f80[k])) <=
+            CHECK(std::abs(double((long double)f64[k] - f80[k])) <=
                   (row.info.error_u + 1) * 0x1p-53 * size + 1e-300);
         }
     });
@@ -176,11 +176,11 @@ TEST_CASE("every equation in duals has double's value and the slope of its neigh
         for (std::size_t variable = 0; variable < in.size(); ++variable) {
             Dual x[max_equation_inputs], y[max_equation_outputs];
             long double before[max_equation_inputs], after[max_equation_inputs];
-            constexpr double h = 1e-7;
+            constexpr long double h = 1e-7L;
             for (std::size_t k = 0; k < in.size(); ++k) {
                 x[k] = Dual(double(in[k]), k == variable ? 1 : 0);
-                before[k] = double(in[k]) - (k == variable ? h : 0);
-                after[k] = double(in[k]) + (k == variable ? h : 0);
+                before[k] = (long double)in[k] - (k == variable ? h : 0);
+                after[k] = (long double)in[k] + (k == variable ? h : 0);
             }
             row.dual(x, y);
             long double low[max_equation_outputs], high[max_equation_outputs];

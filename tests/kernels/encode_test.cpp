@@ -71,7 +71,7 @@ private:
 /// The floats around each place where a byte begins, and what is odd.
 std::vector<float> near_thresholds() {
     std::vector<float> values = {0.0f, -0.0f, -1.0f, 1e-45f, -1e30f, 1.0f, 2.0f, 1e30f, 0.0031308f};
-    for (int byte = 1; byte < 256; ++byte) {
+    for (std::size_t byte = 1; byte < 256; ++byte) {
         const std::uint32_t start = std::bit_cast<std::uint32_t>(srgb_byte_starts()[byte]);
         for (std::uint32_t bits = start - 300; bits < start + 300; ++bits)
             values.push_back(std::bit_cast<float>(bits));

@@ -19,7 +19,7 @@ std::vector<int> inside_outline(const TestFrame& test, const std::vector<glm::dv
     for (const glm::dvec3& p : outline) {
         // The mesh's vertex that stands there.
         std::size_t best = 0;
-        double best_distance = INFINITY;
+        double best_distance = double(INFINITY);
         for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
             const glm::dvec3 q =
                 mesh.origin + mesh.unit * glm::dvec3(mesh.x[v], mesh.y[v], mesh.z[v]);

@@ -271,7 +271,8 @@ TEST_CASE("what edges show in the middle of a square depends on how it is turned
     }
 }
 
-TEST_CASE("each seen quadrilateral without a patch is counted once, in every renderer", "[patch]") {
+TEST_CASE("each seen face that edges or patch cannot carry is counted once, in every renderer",
+          "[patch]") {
     const PixelCamera camera(96, 64, 0.1);
     std::vector<glm::dvec3> positions;
     const auto add = [&](std::initializer_list<glm::dvec3> corners) {
@@ -281,6 +282,7 @@ TEST_CASE("each seen quadrilateral without a patch is counted once, in every ren
     add({{5, 25, 2}, {25, 28, 2}, {26, 4, 2}, {4, 3, 2}});            // convex: a patch
     add({{35, 25, 2}, {60, 20, 2}, {42, 15, 2}, {38, 3, 2}});         // a dart
     add({{68, 25, 2}, {90, 20, 2}, {68, 3, 2}, {80, 10, 2}});         // a bow tie
+    add({{36, 58, 2}, {54, 36, 2}, {54, 58, 2}, {36, 36, 2}});        // one whose halves cancel
     add({{30, 60, 2}, {30, 32, 2}, {4, 32, 0.05}, {4, 60, 0.05}});    // cut by near
     add({{60, 60, 2}, {40000, 60, 2}, {40000, 34, 2}, {60, 34, 2}});  // cut by the guard band
     add({{10, 20, 3}, {20, 20, 3}, {12, 17, 3}, {10, 10, 3}});        // a dart behind the patch
@@ -289,27 +291,36 @@ TEST_CASE("each seen quadrilateral without a patch is counted once, in every ren
     for (std::uint32_t v = 0; v < positions.size(); v += 4)
         faces.push_back({v, v + 1, v + 2, v + 3});
     const Scene scene = make_scene(make_soup(positions, faces), camera.camera);
-    constexpr std::uint64_t expected = 4;
+    struct {
+        Interpolation interpolation;
+        Event event;
+        std::uint64_t count;
+    } constexpr rows[] = {{Interpolation::perspective, Event::patch_fallback, 0},
+                          {Interpolation::perspective, Event::edges_fallback, 0},
+                          {Interpolation::patch, Event::patch_fallback, 5},
+                          {Interpolation::patch, Event::edges_fallback, 0},
+                          // The guard band clips the coverage of a polygon only.
+                          {Interpolation::edges, Event::edges_fallback, 4},
+                          {Interpolation::edges, Event::patch_fallback, 0}};
 
     Settings settings = camera.settings();
     for (const Shading shading : {Shading::flat, Shading::gouraud, Shading::phong})
         for (const int samples : {1, 4}) {
             settings.shading = shading;
             settings.samples = samples;
-            const auto fallbacks = [&](RendererKind renderer, int tile, Interpolation how) {
-                settings.renderer = renderer;
-                settings.tile = tile;
-                settings.interpolation = how;
-                return draw(scene, settings).stats.events[Event::patch_fallback];
-            };
-            CAPTURE(int(shading), samples);
-            for (const RendererKind renderer :
-                 {RendererKind::scalar_f64, RendererKind::scalar_f32, RendererKind::simd}) {
-                CAPTURE(int(renderer));
-                CHECK(fallbacks(renderer, 64, Interpolation::patch) == expected);
-                CHECK(fallbacks(renderer, 64, Interpolation::perspective) == 0);
+            for (const auto& row : rows) {
+                settings.interpolation = row.interpolation;
+                const auto counted = [&](RendererKind renderer, int tile) {
+                    settings.renderer = renderer;
+                    settings.tile = tile;
+                    return draw(scene, settings).stats.events[row.event];
+                };
+                CAPTURE(int(shading), samples, int(row.interpolation), int(row.event));
+                CHECK(counted(RendererKind::scalar_f64, 64) == row.count);
+                CHECK(counted(RendererKind::scalar_f32, 64) == row.count);
+                CHECK(counted(RendererKind::simd, 64) == row.count);
+                // Several tiles, and threads, see the same face.
+                CHECK(counted(RendererKind::simd, 16) == row.count);
             }
-            // Several tiles, and threads, see the same face.
-            CHECK(fallbacks(RendererKind::simd, 16, Interpolation::patch) == expected);
         }
 }

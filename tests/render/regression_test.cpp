@@ -26,7 +26,7 @@ TEST_CASE("slivers that clipping makes do not end the drawing of the rest", "[re
         TestFrame test(make_scene(make_soup(p, {{0, 1, 2}}), camera.camera), camera.settings());
         if (test.plan.triangles == 0) continue;
         std::vector<ClipVertex> polygon;
-        for (int i = 0; i < 3; ++i) polygon.push_back(test.frame.vertices[0][i].clip);
+        for (std::size_t i = 0; i < 3; ++i) polygon.push_back(test.frame.vertices[0][i].clip);
         clip_polygon(polygon, out_near, test.frame.view);
         std::vector<SnappedPoint> points;
         for (const ClipVertex& v : polygon) points.push_back(test.frame.view.snap(v));

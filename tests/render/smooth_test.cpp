@@ -49,7 +49,8 @@ TEST_CASE("the vertices of a shape lie on its smooth surface, with its normals",
                 const int patch = int(f / (mesh->face_count() / patches));
                 for (std::uint32_t c = mesh->face_begin[f]; c < mesh->face_begin[f + 1]; ++c) {
                     const std::uint32_t v = mesh->corner[c];
-                    const SmoothPoint p = shape.smooth(patch, mesh->u[v], mesh->v[v]);
+                    const SmoothPoint p =
+                        shape.smooth(patch, double(mesh->u[v]), double(mesh->v[v]));
                     apart = std::max(apart, glm::distance(p.position, object_point(*mesh, v)));
                     const glm::dvec3 normal(mesh->nx[v], mesh->ny[v], mesh->nz[v]);
                     turned = std::max(turned, glm::distance(p.normal, normal));

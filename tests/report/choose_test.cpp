@@ -68,7 +68,7 @@ Settings size(int width, int height) {
 }  // namespace
 
 TEST_CASE("allowed faults are the most that prove the share", "[choose]") {
-    for (std::size_t n : {1, 10, 500, 4096, 8192, 20000, 100000})
+    for (std::size_t n : {1u, 10u, 500u, 4096u, 8192u, 20000u, 100000u})
         for (double share : {0.5, 0.1, 0.001})
             for (double confidence : {0.9, 0.999}) {
                 const auto k = allowed_faults(n, share, confidence);

@@ -3,6 +3,7 @@
 #include "report/picture_geometry.hpp"
 
 #include <boost/multiprecision/cpp_int.hpp>
+#include <limits>
 #include <set>
 
 #include "report/picture_cases.hpp"
@@ -190,7 +191,8 @@ private:
         const ExactTriangle exact_triangle(camera_, eye);
         auto next = covered.begin();  // ascending
         // A pixel beyond a polygon in floating point, exact arithmetic has nothing to add.
-        glm::dvec2 low(INFINITY), high(-INFINITY);
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        glm::dvec2 low(infinity), high(-infinity);
         for (const glm::dvec2& p : polygon.corners())
             low = glm::min(low, p - 2.0), high = glm::max(high, p + 1.0);
         const auto clamped = [](double x, int size) {

@@ -220,7 +220,7 @@ TEST_CASE("broken geometry is found", "[report][stability]") {
         const char* words;
     } rows[] = {
         {[](GeometryResult& g) { g.displacement = 1.01; }, "displacement of a vertex"},
-        {[](GeometryResult& g) { g.edge_distance = NAN; }, "moved sample"},
+        {[](GeometryResult& g) { g.edge_distance = double(NAN); }, "moved sample"},
         {[](GeometryResult& g) { g.bound_share = 1.001; }, "what rounding can come to"},
         {[](GeometryResult& g) { g.mistaken = 1; }, "chooses another triangle"},
     };

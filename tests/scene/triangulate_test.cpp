@@ -185,6 +185,28 @@ TEST_CASE("an outline that crosses itself is counted and still gives n - 2 trian
     CHECK(triangulate(line, events).size() == 2);
 }
 
+TEST_CASE("a rectangle whose corners come in the wrong order is drawn, and counted as what it is",
+          "[mesh][triangulate]") {
+    // Bow ties whose halves cancel, in several planes: each is as its first three corners face.
+    const glm::dvec3 a(1, 2, 3), right(2, 0, 1), up(0, 3, 0.5);
+    const Polygon bow_ties[] = {{a, a + right + up, a + right, a + up},
+                                {a, a + right, a + up, a + right + up},
+                                {a, a + 3.0 * right + up, a + right, a + up}};
+    for (const Polygon& polygon : bow_ties) {
+        EventCounts events;
+        const Triangles triangles = triangulate(polygon, events);
+        CHECK(triangles.size() == 2);
+        CHECK(is_closed_up(4, triangles));
+        CHECK(events[Event::self_crossing_face] == 1);
+        const glm::dvec3 first = glm::cross(polygon[1] - polygon[0], polygon[2] - polygon[0]);
+        CHECK(glm::distance(newell_normal(polygon), first) < 1e-12);
+    }
+    // What goes back the way it came encloses nothing.
+    CHECK(newell_normal({a, a + right, a + up, a + right}) == glm::dvec3(0));
+    CHECK(newell_normal({a, a + up, a, a + right}) == glm::dvec3(0));
+    CHECK(newell_normal({a, a + right, a + 3.0 * right, a + 2.0 * right}) == glm::dvec3(0));
+}
+
 TEST_CASE("random concave outlines are covered once", "[mesh][triangulate]") {
     constexpr unsigned seed = 20240611;
     INFO("seed " << seed);

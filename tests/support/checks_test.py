@@ -164,5 +164,22 @@ class Headers(unittest.TestCase):
             self.assertEqual(failed, ["needs_another", "no_guard"])
 
 
+class Packages(unittest.TestCase):
+    def look_for(self, *needs):
+        return subprocess.run(["bash", ".ci/deps", "--check", *needs], text=True,
+                              capture_output=True, check=False)
+
+    def test_what_is_there_is_found_by_header_command_or_path(self):
+        found = self.look_for("no-such-a:cstdio.h,string.h", "no-such-b:bash", "no-such-c:/bin")
+        self.assertEqual((found.returncode, found.stdout, found.stderr), (0, "", ""))
+
+    def test_what_is_missing_is_named_in_one_line_that_says_how_to_get_it(self):
+        missing = self.look_for("no-such-a:no/such/header.hpp", "bash:bash", "no-such-b:/no/path")
+        self.assertEqual(missing.returncode, 1)
+        self.assertEqual(missing.stderr.count("\n"), 1)
+        self.assertIn("no-such-a no-such-b;", missing.stderr)
+        self.assertIn("make deps", missing.stderr)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -23,7 +23,7 @@ enum class Event {
     guard_clipped,     // triangle cut by the guard band
     zero_area,         // triangle of no area after snapping
     clamped_weight,    // homogeneous weight below 0 by rounding
-    edges_fallback,    // polygon not strictly convex on screen: triangulated
+    edges_fallback,    // seen polygon not strictly convex on screen: triangulated
     patch_fallback,    // seen quad without an inverse bilinear map: barycentric
     zero_normal,       // interpolated normal of zero length: the face normal was taken
     light_at_surface,  // light closer than its radius

@@ -31,7 +31,12 @@ struct Interval {
     Interval(float lowest, float highest) : low(lowest), high(highest) {}
     explicit Interval(const PlainInterval& x) : low(x.low), high(x.high) {}
 
-    bool contains(long double x) const { return low <= x && x <= high; }
+    /// Of a number of any precision up to long double.
+    template <class T>
+    bool contains(T x) const {
+        const auto exact = static_cast<long double>(x);
+        return static_cast<long double>(low) <= exact && exact <= static_cast<long double>(high);
+    }
 };
 
 inline PlainInterval plain(const Interval& x) { return {x.low, x.high}; }
@@ -83,8 +88,9 @@ inline Interval hull(const Interval& a, const Interval& b) {
 
 inline Interval operator-(const Interval& a) { return {-a.high, -a.low}; }
 
-/// a + b of two floats: exact in double but for a rest that is known exactly (Knuth's TwoSum).
-inline Interval enclosed_sum(double a, double b) {
+/// a + b: exact in double but for a rest that is known exactly (Knuth's TwoSum).
+inline Interval enclosed_sum(float x, float y) {
+    const double a = static_cast<double>(x), b = static_cast<double>(y);
     const double sum = a + b, b_part = sum - a;
     return enclose(sum, (a - (sum - b_part)) + (b - b_part));
 }

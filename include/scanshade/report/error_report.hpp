@@ -22,8 +22,8 @@ struct ErrorMethod {
     std::string name;    // "gouraud, perspective, tessellation ×2"
     std::string series;  // what it is without its amount: "gouraud, perspective"
     std::vector<std::pair<std::string, std::string>> parameters;  // as options spell them
-    double amount;  // what the methods of a series differ in; 0: nothing
-    bool as_given;  // what the scene and the options ask for
+    double amount = 0;      // what the methods of a series differ in; 0: nothing
+    bool as_given = false;  // what the scene and the options ask for
     ReportInput input;
 };
 

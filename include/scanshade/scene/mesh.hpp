@@ -111,7 +111,9 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(const std::vector<glm::dve
                                                       EventCounts& events);
 
 /// Newell's normal: Σ over the edges of a cross product, twice the area long; the plane that fits
-/// a non-planar polygon best. Computed relative to the first corner.
+/// a non-planar polygon best. Computed relative to the first corner. 0 where that is no more than
+/// rounding, but for a quadrilateral that crosses itself in equal halves, which cancel: that of its
+/// first three corners.
 glm::dvec3 newell_normal(const std::vector<glm::dvec3>& polygon);
 
 }  // namespace scanshade
