@@ -17,8 +17,10 @@ CXXFLAGS_asan    := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=al
 # oneTBB is not instrumented; loops run on threads of the standard library instead.
 CXXFLAGS_tsan    := -O1 -g -fsanitize=thread -fno-omit-frame-pointer -DSCANSHADE_STD_THREADS \
                     -Wno-maybe-uninitialized
+# Counts of loops on several threads must not get lost.
+CXXFLAGS_coverage := -O1 -g --coverage -fprofile-update=atomic -Wno-maybe-uninitialized
 ifeq ($(CXXFLAGS_$(config)),)
-$(error config=$(config) is unknown; use release, debug, asan or tsan)
+$(error config=$(config) is unknown; use release, debug, asan, tsan or coverage)
 endif
 ALL_CXXFLAGS = $(CXXFLAGS_COMMON) $(CXXFLAGS_$(config)) $(CXXFLAGS)
 SDL_CFLAGS = $(shell pkg-config --cflags sdl2 imgui 2>/dev/null)
@@ -184,6 +186,16 @@ test: deps-test  ## build and run all tests; TAGS=[brdf] runs those of one tag
 	@$(SUBMAKE) all tests
 	@$(TESTS) $(if $(TAGS),'$(TAGS)')
 
+# The least share of lines and of branches in src/ and include/ that tests must reach, in percent.
+COVERED_LINES := 97
+COVERED_BRANCHES := 85
+.PHONY: coverage
+coverage: deps-test  ## all tests with gcov, what they reach by layer, and the floor that must be held
+	@find build/coverage -name '*.gcda' -delete 2>/dev/null || true
+	@$(MAKE) config=coverage test
+	@python3 tests/support/coverage.py build/coverage/obj build/coverage/missed.txt \
+	    $(COVERED_LINES) $(COVERED_BRANCHES)
+
 # Memory that was never written is what the sanitizers do not see. Small pictures by the scalar
 # renderers, every shading and interpolation, and tests of what reads files.
 .PHONY: valgrind
@@ -315,5 +327,5 @@ clean:  ## remove everything that was built
 help:  ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-14s %s\n", $$1, $$2}' $(firstword $(MAKEFILE_LIST))
 	@echo
-	@echo "  config=release|debug|asan|tsan  which build (default release), in build/CONFIG/"
+	@echo "  config=release|debug|asan|tsan|coverage  which build (default release), in build/CONFIG/"
 	@echo "  JOBS=N                      how many compilers run at once (default: one a core)"

@@ -45,7 +45,6 @@ private:
     const Lighting<float>& lighting_for(const ResolvedMaterial& material) const;
     void shade_subtile(int x, int y, int subtile, const TileBuffer& tile);
     void fill_open(int x, int y, const TileBuffer& tile);
-    void fill_zero_normal(const Surface::Open& open);
     void fill_values(const Surface::Open& open, SnappedPoint p);
     void light_corners();
     Rgb<float> light_point(const Vec3<float>& P, const Vec3<float>& n, float albedo);
@@ -53,7 +52,6 @@ private:
     void begin_face(std::uint32_t element, const TileBuffer& tile);
     SnappedPoint sample_of(int x, int y, std::uint32_t element) const;
     int tile_at(std::uint32_t element) const;  // index in the tile
-    void blend_lit();
     void illuminate();
     void illuminate_all(std::uint32_t material, float* (&radiance)[3]);
     void write_visibility(int x, int y, const TileBuffer& tile) const;

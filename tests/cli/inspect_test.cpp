@@ -34,6 +34,36 @@ TEST_CASE("inspect prints the equation and the picture's byte", "[cli][inspect]"
     CHECK(document["pixel"] == nlohmann::json{30, 20});
 }
 
+TEST_CASE("inspect shows what each shading, interpolation and kind of light computes",
+          "[cli][inspect]") {
+    const struct {
+        std::vector<std::string> args;
+        std::vector<std::string> shown;
+    } rows[] = {
+        {{"quad-rotation", "20,36", "--interpolation", "patch", "--shading", "gouraud"},
+         {"C7 at corner D", "position in the patch, (C2)", "I_X", "emission", "2: spot"}},
+        {{"quad-rotation", "20,36", "--shading", "flat"}, {"C7 in the middle of the face"}},
+        {{"quad-rotation", "20,36", "--interpolation", "edges", "--shading", "phong"},
+         {"(AB)_x", "(C5)", "N_X"}},
+        {{"textures", "48,60"}, {"texture", "factor of k_d and k_a"}},
+        {{"textures", "48,60", "--shading", "gouraud"}, {"with the texture"}},
+        {{"quad-rotation", "48,36"}, {"nothing is there but the background"}},
+        // The first sample of a pixel in full, of the others the sum.
+        {{"textures", "48,60", "--samples", "4"},
+         {"sample at 48.25, 60.25", "sample at 48.75, 60.75"}},
+    };
+    for (const auto& row : rows) {
+        std::vector<std::string> args{"inspect",      "models/scenes/" + row.args[0] + ".toml",
+                                      "--resolution", "96,72",
+                                      "--pixel",      row.args[1]};
+        args.insert(args.end(), row.args.begin() + 2, row.args.end());
+        const Finished run = run_scanshade(args);
+        CAPTURE(args, run.err, run.out);
+        CHECK(run.status == 0);
+        for (const std::string& part : row.shown) CHECK(run.out.find(part) != std::string::npos);
+    }
+}
+
 TEST_CASE("inspect says what --pixel takes", "[cli][inspect]") {
     const TempFolder folder;
     const std::string in = write_triangle(folder);

@@ -1,4 +1,5 @@
 // What render, sheet, explain and info give when all is well.
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "cli/lettering.hpp"
@@ -147,6 +148,14 @@ struct Sheet {
     int rows = 0, columns = 0, left = 0, top = 0, pitch = 0;
 };
 
+/// Where the first column of a sheet begins.
+int cells_left() {
+    int width = lettering_width("shading");
+    for (const std::string_view name : shading_names())
+        width = std::max(width, lettering_width(std::string(name)));
+    return width + 2 * Sheet::gap;
+}
+
 Sheet draw_sheet(int side) {
     const TempFolder folder;
     const std::string in = write_triangle(folder), out = folder.path / "out.png";
@@ -154,7 +163,7 @@ Sheet draw_sheet(int side) {
     Sheet sheet{load_image(out)};
     sheet.rows = int(shading_names().size());
     sheet.columns = int(all_brdfs().size()) + 1;
-    sheet.left = lettering_width("shading") + 2 * Sheet::gap;
+    sheet.left = cells_left();
     sheet.top = sheet.image.height - sheet.rows * (30 + Sheet::gap);
     sheet.pitch = (sheet.image.width - sheet.left) / sheet.columns;
     return sheet;
@@ -171,6 +180,25 @@ TEST_CASE("a sheet has a cell for every shading and reflection model", "[cli]") 
             const std::uint8_t* corner = sheet.image.pixel(x, y);
             CHECK_FALSE(std::equal(corner, corner + 3, sheet.image.pixel(x + 20, y + 15)));
         }
+}
+
+TEST_CASE("without --resolution a sheet's cells are small, in the picture's proportions", "[cli]") {
+    const TempFolder folder;
+    const std::string out = folder.path / "out.png";
+    const std::string scene =
+        folder.write("a.toml", "[image]\nsize = [800, 200]\n[[object]]\nshape = \"cube\"\n");
+    run_well({"sheet", scene, "-o", out});
+    const Image sheet = load_image(out);
+    const int rows = int(shading_names().size()), columns = int(all_brdfs().size()) + 1;
+    CHECK(sheet.width == cells_left() + columns * (320 + Sheet::gap));
+    CHECK(sheet.height == letter_height + 2 * Sheet::gap + rows * (80 + Sheet::gap));
+}
+
+TEST_CASE("info shows what lights and materials have", "[cli]") {
+    const std::string lights = run_well({"info", "models/scenes/lights.toml"}).out;
+    CHECK(lights.find("cutoff 21°, penumbra ") != std::string::npos);
+    const std::string textures = run_well({"info", "models/scenes/textures.toml"}).out;
+    CHECK(textures.find("map_kd ../textures/tiles.png, 96 × 96") != std::string::npos);
 }
 
 TEST_CASE("labels of a sheet are whole, however small its cells are", "[cli]") {

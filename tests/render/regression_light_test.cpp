@@ -240,11 +240,19 @@ TEST_CASE("interpolated normals that cancel are replaced by the face's and count
                                  {{3, 2, 1, 0}});
     soup.normals = {{0, 1, 0}, {0, -1, 0}};
     for (int i = 0; i < 4; ++i) soup.corners[std::size_t(i)].normal = i < 2 ? 0 : 1;
+    const Scene scene = make_scene(soup, camera.camera);
     Settings settings = camera.settings();
-    settings.interpolation = Interpolation::patch;
-    const Drawn d = draw(make_scene(soup, camera.camera), settings);
-    CHECK(d.stats.events[Event::zero_normal] > 10);
-    CHECK(d.stats.events[Event::not_finite] == 0);
+    for (const Interpolation interpolation :
+         {Interpolation::perspective, Interpolation::edges, Interpolation::patch})
+        for (const RendererKind renderer :
+             {RendererKind::simd, RendererKind::scalar_f32, RendererKind::scalar_f64}) {
+            settings.interpolation = interpolation;
+            settings.renderer = renderer;
+            const Drawn d = draw(scene, settings);
+            CAPTURE(int(interpolation), int(renderer));
+            CHECK(d.stats.events[Event::zero_normal] == 24);
+            CHECK(d.stats.events[Event::not_finite] == 0);
+        }
 }
 
 TEST_CASE("shininess 0 and a light behind the surface: no NaN, nothing lit from behind",

@@ -10,6 +10,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 import check_equations
 import check_headers
 import check_layers
+import coverage
 
 LAYERED = {
     "include/scanshade/base/error.hpp": "#include <string>\n",
@@ -162,6 +163,39 @@ class Headers(unittest.TestCase):
             failed = [name for name in sources
                       if check_headers.check([f"{folder}/{name}"], ["-std=c++20"])]
             self.assertEqual(failed, ["needs_another", "no_guard"])
+
+
+class Coverage(unittest.TestCase):
+    def source(self, *lines):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "a.cpp")
+            path.write_text("".join(line + "\n" for line in lines), encoding="utf-8")
+            return coverage.Source(str(path))
+
+    @staticmethod
+    def line(number, count, *branches):
+        return {"line_number": number, "count": count,
+                "branches": [{"count": taken, "throw": throw} for taken, throw in branches]}
+
+    def test_a_line_is_reached_if_one_of_its_instances_is(self):
+        source = self.source("a", "b", "c")
+        for line in (self.line(1, 0), self.line(1, 3), self.line(2, 0), self.line(2, 0)):
+            source.add(line)
+        self.assertEqual(source.lines, {1: True, 2: False})
+        self.assertEqual(list(source.missed()), [(2, "line")])
+
+    def test_branches_of_exceptions_and_of_checks_and_brackets_do_not_count(self):
+        source = self.source("if (a)", "    SCANSHADE_CHECK(a);", "}")
+        source.add(self.line(1, 2, (2, False), (0, True), (0, False)))
+        source.add(self.line(1, 1, (0, False), (0, True), (0, False)))
+        source.add(self.line(2, 1, (1, False), (0, False)))
+        source.add(self.line(3, 0))
+        self.assertEqual(source.branches, {(1, 0): True, (1, 1): False})
+        self.assertEqual(list(source.missed()), [(1, "branch")])
+
+    def test_layers_are_those_of_the_folders(self):
+        self.assertEqual(coverage.layer_of("src/render/a.cpp"), "render")
+        self.assertEqual(coverage.layer_of("include/scanshade/num/a.hpp"), "num")
 
 
 class Packages(unittest.TestCase):
