@@ -11,9 +11,12 @@
 #include <filesystem>
 #include <new>
 #include <stdexcept>
+#include <system_error>
 
 #include "scanshade/base/error.hpp"
 #include "scanshade/base/files.hpp"
+#include "scanshade/base/memory.hpp"
+#include "scanshade/base/text.hpp"
 
 namespace scanshade {
 namespace fs = std::filesystem;
@@ -42,7 +45,8 @@ std::size_t columns(std::string_view text) {
 }  // namespace
 
 int run_program(std::string_view program, const std::function<int()>& body) {
-    std::signal(SIGPIPE, SIG_IGN);
+    for (const int writing_fails : {SIGPIPE, SIGXFSZ}) std::signal(writing_fails, SIG_IGN);
+    limit_memory();
     const auto failed = [&](std::string_view sentence, int status) {
         note(fmt::format("{}: {}", program, sentence));
         return status;
@@ -55,6 +59,8 @@ int run_program(std::string_view program, const std::function<int()>& body) {
         return failed(error.what(), int(error.code()));
     } catch (const fs::filesystem_error& error) {
         return failed(error.what(), int(Errc::file));
+    } catch (const std::system_error& error) {  // a thread that cannot be started takes memory
+        if (error.code() != std::errc::resource_unavailable_try_again) throw;
     } catch (const std::bad_alloc&) {
     } catch (const std::length_error&) {
     }
@@ -78,7 +84,7 @@ void note(std::string_view text) { fmt::print(stderr, "{}\n", printable(text)); 
 void warn(const std::vector<std::string>& sentences) {
     constexpr std::size_t shown = 10;
     for (std::size_t i = 0; i < std::min(shown, sentences.size()); ++i)
-        note(fmt::format("warning: {}", sentences[i]));
+        note(fmt::format("warning: {}", shortened(sentences[i])));
     if (sentences.size() > shown)
         note(fmt::format("warning: and {} more; 'scanshade info' lists them all",
                          sentences.size() - shown));

@@ -43,7 +43,7 @@ constexpr const char* library =
 TEST_CASE("every shipped scene survives being written and read", "[scene]") {
     for (const auto& entry : fs::directory_iterator("models/scenes"))
         if (entry.path().extension() == ".toml") check_round_trip(entry.path());
-    check_round_trip("models/tiled-floor.obj");
+    check_round_trip("models/scenes/tiled-floor.obj");
 }
 
 TEST_CASE("what options choose is written with the scene", "[scene]") {
