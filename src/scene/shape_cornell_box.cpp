@@ -16,7 +16,7 @@ enum : std::uint32_t { white, green, red, lamp };
 /// A grid over the quadrilateral a b c d, counter-clockwise; where its corners are in no plane, as
 /// those of the red wall, over the bilinear patch.
 void add_quad(ShapeBuilder& builder, int n, std::uint32_t material, const Point (&corner)[4]) {
-    const auto& [a, b, c, d] = corner;
+    const Point &a = corner[0], &b = corner[1], &c = corner[2], &d = corner[3];
     builder.use_material(material);
     builder.add_grid(n, n, [&](int row, int column) {
         const auto between = [n](const auto& from, const auto& to, int step) {
