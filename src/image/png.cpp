@@ -14,6 +14,16 @@
 #include "scanshade/base/error.hpp"
 #include "scanshade/base/files.hpp"
 
+namespace {
+
+/// The writer asserts that there is memory.
+void* or_bad_alloc(void* memory) {
+    if (memory == nullptr) throw std::bad_alloc();
+    return memory;
+}
+
+}  // namespace
+
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wconversion"
 #pragma GCC diagnostic ignored "-Wdouble-promotion"
@@ -30,6 +40,9 @@
 #define STBI_ONLY_TGA
 #define STBI_MAX_DIMENSIONS 16384  // max_image_side, in stb's words
 #include <stb/stb_image.h>
+#define STBIW_MALLOC(size) or_bad_alloc(std::malloc(size))
+#define STBIW_REALLOC_SIZED(memory, old_size, size) or_bad_alloc(std::realloc(memory, size))
+#define STBIW_FREE(memory) std::free(memory)
 #define STB_IMAGE_WRITE_STATIC
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STBI_WRITE_NO_STDIO

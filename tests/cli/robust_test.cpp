@@ -55,9 +55,9 @@ TEST_CASE("too little memory is an error in a sentence, however little it is", "
     const TempFolder folder;
     const std::string in = write_triangle(folder), out = folder.path / "out.png";
     bool refused = false, drawn = false;
-    for (std::uint64_t mib = 48; mib <= 3072; mib *= 2) {
+    for (std::uint64_t mib = 40; mib <= 3072; mib += mib / 12) {
         const Finished run = run_scanshade_limited(
-            {"render", in, "-o", out, "--resolution", "2048,2048", "--threads", "2"}, RLIMIT_AS,
+            {"render", in, "-o", out, "--resolution", "1024,1024", "--threads", "8"}, RLIMIT_AS,
             mib << 20);
         CAPTURE(mib, run.err);
         if (run.status == 127) continue;  // not even the program itself
