@@ -76,14 +76,16 @@ void check_png(std::string_view bytes) {
     }
 }
 
-/// The tables of codes of one JPEG segment: stb writes one of more than 256 codes beyond its array.
-void check_huffman_tables(std::string_view tables) {
+/// The tables of codes of a JPEG segment of so many bytes: stb writes one of more than 256 codes beyond
+/// its array. A table that begins in the segment is read to its end.
+void check_huffman_tables(std::string_view bytes, std::size_t length) {
     constexpr std::size_t counts = 16;
-    while (tables.size() > counts) {
+    const Numbers numbers(bytes);
+    for (std::size_t at = 0; at < length;) {
         std::size_t codes = 0;
-        for (std::size_t i = 1; i <= counts; ++i) codes += std::uint8_t(tables[i]);
+        for (std::size_t i = 1; i <= counts; ++i) codes += numbers.byte(at + i);
         require(codes <= 256, "the JPEG file is damaged: a table of codes is too long");
-        tables.remove_prefix(std::min(tables.size(), 1 + counts + codes));
+        at += 1 + counts + codes;
     }
 }
 
@@ -97,7 +99,7 @@ void check_jpeg(std::string_view bytes) {
         const std::size_t marker = numbers.byte(at + 1), length = numbers.big_endian(at + 2, 2);
         const bool marked = numbers.byte(at) == 0xff && marker != 0 && marker != 0xff;
         if (marked && marker == tables && length > 2)
-            check_huffman_tables(bytes.substr(std::min(at + 4, bytes.size()), length - 2));
+            check_huffman_tables(bytes.substr(std::min(at + 4, bytes.size())), length - 2);
         if (marked && marker == scan) header = false;
         if (marked && marker == end && !header) return;
         at += header && marked && marker != start ? 2 + length : 1;

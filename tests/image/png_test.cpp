@@ -213,6 +213,10 @@ TEST_CASE("a table of codes that is too long for the decoder does not reach it",
     for (const std::size_t codes : {257u, 300u, 16u * 255u})
         check_error(Errc::format, "table of codes", [&] { decode_image(jpeg_with_table(codes)); });
     check_error(Errc::format, "no complete picture", [&] { decode_image(jpeg_with_table(256)); });
+    // A table that only begins in its segment.
+    std::string begun = jpeg_with_table(300);
+    begun[4] = 0, begun[5] = 3;
+    check_error(Errc::format, "table of codes", [&] { decode_image(begun); });
     // Also behind a scan, and behind what would be skipped.
     const std::string bad = jpeg_with_table(300).substr(2);
     check_error(Errc::format, "table of codes",

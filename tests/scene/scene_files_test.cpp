@@ -198,7 +198,8 @@ TEST_CASE("files larger than their limits are refused before they are read", "[f
 }
 
 TEST_CASE("what the TOML library does not expect is an error, too", "[scene_file]") {
-    for (const char* text : {"[[[camera]\n", "[[[[", "[[ [a]]\n"}) {
+    for (const char* text :
+         {"[[[camera]\n", "[[[[", "[[ [a]]\n", "key × = 1\n", "é = 1\n", "a = 1 ж\n"}) {
         CAPTURE(text);
         CHECK(refusal_of_scene(text, ".", false).find("this is no TOML") != std::string::npos);
     }
