@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstring>
 #include <mutex>
+#include <random>
 
 #include "scanshade/base/error.hpp"
 
@@ -42,12 +43,13 @@ private:
 char unfinished[PATH_MAX];
 std::mutex one_at_a_time;
 
-/// Takes a name that nothing has yet, in the folder of the file that is to be. Short, as the file's
-/// own name may be as long as names can be.
+/// Takes a name that nothing has, in the folder of the file that is to be. Short, as the file's own
+/// name may be as long as names can be; random, as containers that share a folder number their
+/// processes alike.
 std::string begin_unfinished(const fs::path& target) {
-    const fs::path name = target.parent_path() / fmt::format(".scanshade-{}.part", ::getpid());
+    const fs::path name =
+        target.parent_path() / fmt::format(".scanshade-{:08x}.part", std::random_device{}());
     std::snprintf(unfinished, sizeof unfinished, "%s", name.c_str());
-    ::unlink(name.c_str());  // of a process that was killed
     return name;
 }
 

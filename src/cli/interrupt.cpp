@@ -17,7 +17,7 @@ volatile std::sig_atomic_t signal_that_came = 0;
 bool on_terminal = false;
 
 void install(Handler handler) {
-    for (const int signal : {SIGINT, SIGTERM}) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         struct sigaction action = {};
         ::sigaction(signal, nullptr, &action);
         if (action.sa_handler == SIG_IGN) continue;  // `nohup`, or a job in the background

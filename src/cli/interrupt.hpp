@@ -3,12 +3,12 @@
 
 namespace scanshade {
 
-/// From now on SIGINT and SIGTERM end the program in good order: no file stays half-written, and a
-/// sentence says why. It ends by the signal, as shells expect: their status is 130 or 143. A signal
-/// that was ignored when the program was started stays so.
+/// From now on SIGINT, SIGTERM and SIGHUP end the program in good order: no file stays half-written,
+/// and a sentence says why. It ends by the signal, as shells expect: their status is 130, 143 or 129.
+/// A signal that was ignored when the program was started stays so.
 void end_in_order_on_signals();
 
-/// While it lives, the first SIGINT or SIGTERM only sets a flag; a second one ends the program.
+/// While it lives, the first of these signals only sets a flag; a second one ends the program.
 class Interrupt {
 public:
     Interrupt();

@@ -36,7 +36,8 @@ pid_t start(const std::string& program, const std::vector<std::string>& args, in
     const pid_t child = ::fork();
     if (child < 0) throw std::runtime_error("cannot fork");
     if (child > 0) return child;
-    for (const int signal : {SIGINT, SIGTERM}) ::signal(signal, SIG_DFL);  // as from a terminal
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+        ::signal(signal, SIG_DFL);  // as from a terminal
     if (limit) ::setrlimit(__rlimit_resource_t(limit->resource), &limit->value);
     ::dup2(out, STDOUT_FILENO);
     ::dup2(err, STDERR_FILENO);

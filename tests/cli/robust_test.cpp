@@ -27,7 +27,7 @@ void check_sentence(const Finished& run) {
 TEST_CASE("a signal while a picture is drawn ends in a sentence, and leaves no file", "[cli]") {
     const TempFolder folder;
     const std::string in = write_triangle(folder), out = folder.path / "out.png";
-    for (const int signal : {SIGINT, SIGTERM}) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
         const Finished run =
             run_scanshade_interrupted({"render", in, "-o", out, "--repeat", "100000"}, in,
                                       std::chrono::milliseconds(200), signal);

@@ -139,7 +139,7 @@ def main():
     for i, seed in enumerate(seeds):
         (corpus / f"seed-{i}").write_bytes(seed if isinstance(seed, bytes) else seed.encode())
     quoted = ("".join(f"\\x{byte:02x}" for byte in word.encode()) for word in words)
-    (folder / f"{name}.dict").write_text("".join(f'"{word}"\n' for word in quoted))
+    (folder / f"{name}.dict").write_text("# words\n" + "".join(f'"{word}"\n' for word in quoted))
 
 
 if __name__ == "__main__":
