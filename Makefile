@@ -150,16 +150,19 @@ TEST_NEEDS := $(DEMO_NEEDS) catch2:catch2/catch.hpp,catch2/catch_all.hpp libsdl2
               libboost-dev:boost/multiprecision/cpp_int.hpp \
               assimp-testmodels:/usr/share/assimp/models gnuplot-nox:gnuplot
 BENCH_NEEDS := $(DEMO_NEEDS) libosmesa6-dev:GL/osmesa.h libembree-dev:embree3/rtcore.h
+FUZZ_NEEDS := $(TEST_NEEDS) clang:clang++
 REPORT_NEEDS := $(DEMO_NEEDS) gnuplot-nox:gnuplot
 
-.PHONY: deps deps-demo deps-test deps-bench deps-report
-deps: deps-test deps-bench deps-report  ## install the Debian packages that are missing, for all targets
+.PHONY: deps deps-demo deps-test deps-bench deps-fuzz deps-report
+deps: deps-test deps-bench deps-fuzz deps-report  ## install the Debian packages that are missing, for all targets
 deps-demo:
 	@CXX='$(CXX)' bash .ci/deps $(DEMO_NEEDS)
 deps-test:
 	@CXX='$(CXX)' bash .ci/deps $(TEST_NEEDS)
 deps-bench:
 	@CXX='$(CXX)' bash .ci/deps $(BENCH_NEEDS)
+deps-fuzz:
+	@CXX='$(CXX)' bash .ci/deps $(FUZZ_NEEDS)
 deps-report:
 	@CXX='$(CXX)' bash .ci/deps $(REPORT_NEEDS)
 
@@ -208,7 +211,7 @@ soak: deps-test  ## N=20000 random scenes from seed FIRST=1 on every instruction
 FUZZ_TARGETS := $(patsubst tests/fuzz/%_fuzz.cpp,fuzz-%,$(FUZZ_SOURCES))
 .PHONY: fuzz $(FUZZ_TARGETS)
 fuzz: $(FUZZ_TARGETS)  ## every tests/fuzz/NAME_fuzz.cpp for TIME=60 seconds, by libFuzzer; fuzz-NAME: one
-$(FUZZ_TARGETS): fuzz-%:
+$(FUZZ_TARGETS): fuzz-%: deps-fuzz
 	@$(SUBMAKE) config=fuzz build/fuzz/$*-fuzz
 	@python3 tests/fuzz/seeds.py $* build/fuzz
 	@cd build/fuzz && TMPDIR="$$PWD/tmp" ./$*-fuzz corpus/$* -dict=$*.dict -timeout=60 -close_fd_mask=1 \
@@ -307,5 +310,5 @@ clean:  ## remove everything that was built
 help:  ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-14s %s\n", $$1, $$2}' $(firstword $(MAKEFILE_LIST))
 	@echo
-	@echo "  config=release|debug|asan|tsan  which build (default release), in build/CONFIG/"
+	@echo "  config=release|debug|asan|tsan|fuzz  which build (default release), in build/CONFIG/"
 	@echo "  JOBS=N                      how many compilers run at once (default: one a core)"
