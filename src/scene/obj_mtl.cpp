@@ -173,15 +173,11 @@ std::filesystem::path MaterialLibraries::find_texture(const Subject& subject,
     const std::filesystem::path folder = subject.entry.file.parent_path();
     const std::filesystem::path alone = std::filesystem::path(name).filename();
     std::error_code ignored;
-    if (std::filesystem::exists(folder / name, ignored)) {
-        try {
-            return files_.find(folder, name);
-        } catch (const Error&) {
-            if (!std::filesystem::exists(folder / alone, ignored)) throw;
-        }
-    }
-    const bool beside = std::filesystem::exists(folder / alone, ignored);
-    return files_.find(folder, beside ? alone.string() : name);
+    const auto exists = [&](const std::filesystem::path& file) {
+        return std::filesystem::exists(folder / file, ignored);
+    };
+    const bool as_named = exists(name) && files_.allows(folder / name);
+    return files_.find(folder, as_named || !exists(alone) ? name : alone.string());
 }
 
 }  // namespace scanshade

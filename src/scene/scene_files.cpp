@@ -32,6 +32,10 @@ bool is_below(const fs::path& folder, const fs::path& path) {
 SceneFiles::SceneFiles(const fs::path& folder, bool allow_outside)
     : root_(plain(folder.empty() ? "." : folder)), allow_outside_(allow_outside) {}
 
+bool SceneFiles::allows(const fs::path& file) const {
+    return allow_outside_ || is_below(root_, plain(file));
+}
+
 fs::path SceneFiles::find(const fs::path& folder, std::string_view name) const {
     if (name.size() > max_path_bytes)
         throw Error(Errc::file, fmt::format("the name of a file has {} bytes; at most {} are taken",
@@ -40,7 +44,7 @@ fs::path SceneFiles::find(const fs::path& folder, std::string_view name) const {
     if (name.find('\0') != std::string_view::npos)
         throw Error(Errc::file, "the name of a file has a byte of value 0");
     const fs::path path = folder / name;
-    if (!allow_outside_ && !is_below(root_, plain(path)))
+    if (!allows(path))
         throw Error(Errc::file, fmt::format("the file is outside the scene's folder '{}'; move it "
                                             "there or give --allow-outside",
                                             root_.string()))

@@ -21,6 +21,9 @@ public:
     /// `folder`: of the file that the user named.
     SceneFiles(const std::filesystem::path& folder, bool allow_outside);
 
+    /// Whether the file is inside, or all are allowed.
+    bool allows(const std::filesystem::path& file) const;
+
     /// The file that a text in `folder` means by `name`. Throws Error(file) where that is outside.
     std::filesystem::path find(const std::filesystem::path& folder, std::string_view name) const;
 
