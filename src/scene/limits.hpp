@@ -21,8 +21,9 @@ inline constexpr std::size_t max_face_corners = 1 << 16;
 inline constexpr std::size_t max_scene_triangles = std::size_t{1} << 28;
 inline constexpr std::int64_t max_scene_texels = std::int64_t{1} << 27;  // two of the largest
 inline constexpr std::size_t max_objects = 1 << 16;
-inline constexpr std::size_t max_materials = 1 << 16;
+inline constexpr std::size_t max_materials = 1 << 15;
 inline constexpr std::size_t max_lights = 1 << 12;
+inline constexpr std::size_t max_key_parts = 32;        // of a TOML text: a.b.c has three
 inline constexpr std::size_t max_parameters = 64;       // of a material; models have a dozen
 inline constexpr std::size_t max_path_bytes = 1 << 12;  // the system takes no longer ones
 

@@ -8,6 +8,7 @@
 #include "scanshade/base/text.hpp"
 #include "scanshade/scene/scene.hpp"
 #include "scene/scene_parts.hpp"
+#include "scene/toml_keys.hpp"
 
 namespace scanshade {
 namespace {
@@ -105,6 +106,9 @@ void each_table(const TomlReader& root, std::string_view key, std::size_t most, 
 }
 
 toml::table parse_toml(std::string_view text, const std::string& file) {
+    if (const std::size_t line = line_of_long_key(text, max_key_parts))
+        throw Error(Errc::format, fmt::format("a key has more than {} parts", max_key_parts))
+            .at(file, static_cast<long>(line));
     try {
         return toml::parse(text, file);
     } catch (const toml::parse_error& e) {

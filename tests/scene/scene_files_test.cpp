@@ -9,6 +9,7 @@
 #include "scanshade/scene/scene.hpp"
 #include "scene/limits.hpp"
 #include "scene/scene_files.hpp"
+#include "scene/toml_keys.hpp"
 #include "support/catch.hpp"
 #include "support/temp_folder.hpp"
 
@@ -162,6 +163,7 @@ TEST_CASE("more than the limits is refused in a sentence that names the limit",
          max_parameters},
         {"lights in [render]",
          "[render]\nlight = [" + repeated("\"point:1,2,3\",", max_lights + 1) + "]\n", max_lights},
+        {"parts of a key", repeated("a.", 300'000) + "a = 1\n", max_key_parts},
         {"a file's name", "[[object]]\nmesh = \"" + repeated("./", max_path_bytes) + "a.obj\"\n",
          max_path_bytes},
         {"triangles", repeated("[[object]]\nshape=\"terrain\"\ntessellation=255\n", 4200),
@@ -202,6 +204,34 @@ TEST_CASE("what the TOML library does not expect is an error, too", "[scene_file
          {"[[[camera]\n", "[[[[", "[[ [a]]\n", "key × = 1\n", "é = 1\n", "a = 1 ж\n"}) {
         CAPTURE(text);
         CHECK(refusal_of_scene(text, ".", false).find("this is no TOML") != std::string::npos);
+    }
+}
+
+TEST_CASE("long keys are found wherever they may stand, and nowhere else", "[scene_file][limits]") {
+    const std::string four = "a . \"=\" .'.'. d";
+    struct Case {
+        std::string text;
+        std::size_t line;  // of a key of more than three parts
+    };
+    const Case cases[] = {
+        {"a.b.c = 1\n" + four + " = 1", 2},
+        {"[" + four + "]", 1},
+        {"[[" + four + "]]", 1},
+        {"x = {" + four + " = 1}", 1},
+        {"x = [\"\"\"\n\"\"\", {" + four + " = 1}]", 2},
+        {"x = ['''\n\"''', {" + four + " = 1}]", 2},
+        {"x = \"\\\"\"\n" + four, 2},
+        {"# \"\n" + four, 2},
+        {"x = \"a.b.c.d\" # a.b.c.d", 0},
+        {"x = '''\na.b.c.d\n''' \n", 0},
+        {"x = [0.1, 0.2, 0.3, 0.4, 0.5]", 0},
+        {"a.b = 1.5\nc.d = 2.5", 0},
+        {"x = \"open", 0},
+        {"x = \"\"\"open", 0},
+    };
+    for (const Case& row : cases) {
+        CAPTURE(row.text);
+        CHECK(line_of_long_key(row.text, 3) == row.line);
     }
 }
 
