@@ -19,8 +19,14 @@ CXXFLAGS_tsan    := -O1 -g -fsanitize=thread -fno-omit-frame-pointer -DSCANSHADE
                     -Wno-maybe-uninitialized
 # Counts of loops on several threads must not get lost.
 CXXFLAGS_coverage := -O1 -g --coverage -fprofile-update=atomic -Wno-maybe-uninitialized
+# libFuzzer is clang's. What a file holds must neither overflow nor leak, so everything is watched.
+CXXFLAGS_fuzz    := -O1 -g -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all \
+                    -fno-omit-frame-pointer
+ifeq ($(config),fuzz)
+CXX := clang++
+endif
 ifeq ($(CXXFLAGS_$(config)),)
-$(error config=$(config) is unknown; use release, debug, asan, tsan or coverage)
+$(error config=$(config) is unknown; use release, debug, asan, tsan, coverage or fuzz)
 endif
 ALL_CXXFLAGS = $(CXXFLAGS_COMMON) $(CXXFLAGS_$(config)) $(CXXFLAGS)
 SDL_CFLAGS = $(shell pkg-config --cflags sdl2 imgui 2>/dev/null)
@@ -31,7 +37,8 @@ export PYTHONDONTWRITEBYTECODE := 1
 -include Makefile.local
 
 # ---- files ---------------------------------------------------------------------------------------
-LIB_SOURCES    := $(filter-out src/cli/% src/viewer/%,$(wildcard src/*/*.cpp src/*/*/*.cpp))
+LIB_SOURCES    := $(filter-out src/cli/% src/viewer/% $(if $(filter fuzz,$(config)),src/report/%), \
+                    $(wildcard src/*/*.cpp src/*/*/*.cpp))
 CLI_SOURCES    := $(wildcard src/cli/*.cpp)
 # The viewer takes its options, errors and exit status from the same files.
 VIEWER_SOURCES := $(wildcard src/viewer/*.cpp) \
@@ -41,7 +48,8 @@ TESTED_SOURCES := $(patsubst %,src/viewer/%.cpp,actions camera_control files lig
                     view_edit view_state) src/cli/lettering.cpp
 # The benchmark links what the tests do not need; of the programs it takes tables and memory.
 BENCH_SOURCES  := $(wildcard tests/bench/*.cpp) $(patsubst %,src/cli/%.cpp,console stats events)
-TEST_SOURCES   := $(filter-out $(BENCH_SOURCES),$(wildcard tests/*.cpp tests/*/*.cpp))
+FUZZ_SOURCES   := $(wildcard tests/fuzz/*_fuzz.cpp)
+TEST_SOURCES   := $(filter-out $(BENCH_SOURCES) $(FUZZ_SOURCES),$(wildcard tests/*.cpp tests/*/*.cpp))
 object = $(patsubst %.cpp,$(BUILD)/obj/%.o,$(1))
 
 LIB    := $(BUILD)/libscanshade.a
@@ -120,12 +128,20 @@ $(TESTS): $(call object,$(TEST_SOURCES) $(TESTED_SOURCES)) $(LIB) | $(CLI) $(VIE
 	@echo "  LINK $@"
 	@$(CXX) $(ALL_CXXFLAGS) $^ -o $@ $(LIBS)
 
+# What fuzz targets take of the tests and of the programs.
+FUZZ_PARTS := $(patsubst %,tests/support/%.cpp,level_check lit_points random_mesh random_scene \
+                scene_check) $(patsubst %,src/cli/%.cpp,console options)
+.SECONDARY: $(call object,$(FUZZ_SOURCES))
+$(BUILD)/%-fuzz: $(BUILD)/obj/tests/fuzz/%_fuzz.o $(call object,$(FUZZ_PARTS)) $(LIB)
+	@echo "  LINK $@"
+	@$(CXX) $(ALL_CXXFLAGS) -fsanitize=fuzzer $^ -o $@ $(LIBS)
+
 $(BENCH): $(call object,$(BENCH_SOURCES)) $(LIB)
 	@echo "  LINK $@"
 	@$(CXX) $(ALL_CXXFLAGS) $^ -o $@ $(LIBS) -lOSMesa -lembree3 -ltbb
 
 -include $(patsubst %.o,%.d,$(call object,$(LIB_SOURCES) $(CLI_SOURCES) $(VIEWER_SOURCES) \
-    $(TEST_SOURCES) $(BENCH_SOURCES)))
+    $(TEST_SOURCES) $(BENCH_SOURCES) $(FUZZ_SOURCES)))
 
 .PHONY: tests
 tests: $(TESTS)
@@ -145,17 +161,20 @@ TEST_NEEDS := $(DEMO_NEEDS) $(VIEWER_NEEDS) catch2:catch2/catch.hpp,catch2/catch
               libboost-dev:boost/multiprecision/cpp_int.hpp \
               assimp-testmodels:/usr/share/assimp/models gnuplot-nox:gnuplot
 BENCH_NEEDS := $(DEMO_NEEDS) libosmesa6-dev:GL/osmesa.h libembree-dev:embree3/rtcore.h
+FUZZ_NEEDS := $(TEST_NEEDS) clang:clang++
 REPORT_NEEDS := $(DEMO_NEEDS) gnuplot-nox:gnuplot
 LINT_NEEDS := $(TEST_NEEDS) $(BENCH_NEEDS) clang:clang++ clang-tidy:clang-tidy cppcheck:cppcheck
 
-.PHONY: deps deps-demo deps-test deps-bench deps-report deps-lint deps-valgrind
-deps: deps-test deps-bench deps-report deps-lint deps-valgrind  ## install the Debian packages that are missing, for all targets
+.PHONY: deps deps-demo deps-test deps-bench deps-fuzz deps-report deps-lint deps-valgrind
+deps: deps-test deps-bench deps-fuzz deps-report deps-lint deps-valgrind  ## install the Debian packages that are missing, for all targets
 deps-demo:
 	@CXX='$(CXX)' bash .ci/deps $(DEMO_NEEDS)
 deps-test:
 	@CXX='$(CXX)' bash .ci/deps $(TEST_NEEDS)
 deps-bench:
 	@CXX='$(CXX)' bash .ci/deps $(BENCH_NEEDS)
+deps-fuzz:
+	@CXX='$(CXX)' bash .ci/deps $(FUZZ_NEEDS)
 deps-report:
 	@CXX='$(CXX)' bash .ci/deps $(REPORT_NEEDS)
 deps-valgrind:
@@ -221,6 +240,16 @@ soak: deps-test  ## N=20000 random scenes from seed FIRST=1 on every instruction
 	@$(SUBMAKE) all tests
 	@SCANSHADE_SOAK=$(or $(N),20000) SCANSHADE_SOAK_FIRST=$(or $(FIRST),1) \
 	    SCANSHADE_SOAK_ISA=$(ISA) $(TESTS) '[.soak]'
+
+# A corpus is what the script makes and what earlier runs found; an input that fails is left in build/fuzz.
+FUZZ_TARGETS := $(patsubst tests/fuzz/%_fuzz.cpp,fuzz-%,$(FUZZ_SOURCES))
+.PHONY: fuzz $(FUZZ_TARGETS)
+fuzz: $(FUZZ_TARGETS)  ## every tests/fuzz/NAME_fuzz.cpp for TIME=60 seconds, by libFuzzer; fuzz-NAME: one
+$(FUZZ_TARGETS): fuzz-%: deps-fuzz
+	@$(SUBMAKE) config=fuzz build/fuzz/$*-fuzz
+	@python3 tests/fuzz/seeds.py $* build/fuzz
+	@cd build/fuzz && TMPDIR="$$PWD/tmp" ./$*-fuzz corpus/$* -dict=$*.dict -timeout=60 -close_fd_mask=1 \
+	    -max_total_time=$(or $(TIME),60) -print_final_stats=1 -artifact_prefix=$*-
 
 .PHONY: report
 report: deps-report  ## all reports, into build/report/: error, plan, speed, stability; takes minutes
@@ -327,5 +356,5 @@ clean:  ## remove everything that was built
 help:  ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-14s %s\n", $$1, $$2}' $(firstword $(MAKEFILE_LIST))
 	@echo
-	@echo "  config=release|debug|asan|tsan|coverage  which build (default release), in build/CONFIG/"
+	@echo "  config=release|debug|asan|tsan|coverage|fuzz  which build (default release), in build/CONFIG/"
 	@echo "  JOBS=N                      how many compilers run at once (default: one a core)"

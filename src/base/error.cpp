@@ -4,18 +4,20 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <utility>
+
+#include "scanshade/base/text.hpp"
 
 namespace scanshade {
 
 Error::Error(Errc code, std::string sentence)
-    : std::runtime_error(sentence), code_(code), text_(std::move(sentence)) {}
+    : std::runtime_error(sentence), code_(code), text_(shortened(sentence)) {}
 
 Error& Error::at(std::string_view file, long line) {
     if (placed_) return *this;
     placed_ = true;
-    text_ =
-        line > 0 ? fmt::format("{}:{}: {}", file, line, text_) : fmt::format("{}: {}", file, text_);
+    const std::string place = shortened(file);
+    text_ = line > 0 ? fmt::format("{}:{}: {}", place, line, text_)
+                     : fmt::format("{}: {}", place, text_);
     return *this;
 }
 

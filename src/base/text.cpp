@@ -74,6 +74,17 @@ std::optional<long long> parse_integer(std::string_view text) {
     return parse_whole<long long>(text);
 }
 
+std::string shortened(std::string_view text, std::size_t most) {
+    if (text.size() <= most) return std::string(text);
+    const auto inside = [&](std::size_t at) {  // a character
+        return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80;
+    };
+    std::size_t head = most * 2 / 3, tail = text.size() - most / 3;
+    while (head > 0 && inside(head)) --head;
+    while (inside(tail)) ++tail;
+    return std::string(text.substr(0, head)) + " … " + std::string(text.substr(tail));
+}
+
 std::vector<std::string_view> split(std::string_view text, char separator) {
     std::vector<std::string_view> parts;
     while (true) {

@@ -63,7 +63,7 @@ int run_lesson(OptionParser& options, char** args) {
     progress.finish();
     note(fmt::format("wrote {}{}", (std::filesystem::path(folder) / "index.html").string(),
                      written.partial ? ", partial because it was interrupted" : ""));
-    return written.partial ? exit_interrupted : exit_done;
+    return written.partial ? Interrupt::status() : exit_done;
 }
 
 }  // namespace scanshade

@@ -168,7 +168,7 @@ int run_report(OptionParser& options, char** argv) {
     note(fmt::format("wrote {}{}", (fs::path(args.folder) / "index.html").string(),
                      written.partial ? ", partial because it was interrupted" : ""));
     if (!written.faults.empty()) return exit_different;
-    return written.partial ? int(exit_interrupted) : int(exit_done);
+    return written.partial ? Interrupt::status() : int(exit_done);
 }
 
 }  // namespace scanshade

@@ -8,12 +8,17 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <exception>
 #include <filesystem>
 #include <new>
 #include <stdexcept>
+#include <system_error>
+#include <typeinfo>
 
 #include "scanshade/base/error.hpp"
 #include "scanshade/base/files.hpp"
+#include "scanshade/base/memory.hpp"
+#include "scanshade/base/text.hpp"
 
 namespace scanshade {
 namespace fs = std::filesystem;
@@ -39,10 +44,42 @@ std::size_t columns(std::string_view text) {
     }));
 }
 
+constexpr std::string_view out_of_memory =
+    "there is not enough memory for this scene and picture; a smaller --resolution or a smaller "
+    "file needs less";
+
+/// Memory, or threads, which need memory.
+bool is_out_of_memory(const std::exception& error) {
+    if (dynamic_cast<const std::bad_alloc*>(&error)) return true;
+    if (dynamic_cast<const std::length_error*>(&error)) return true;
+    if (const auto* failed = dynamic_cast<const std::system_error*>(&error))
+        return failed->code() == std::errc::resource_unavailable_try_again;
+    return typeid(error) == typeid(std::runtime_error);  // oneTBB's, for a thread
+}
+
+std::terminate_handler standard_terminate = nullptr;
+
+/// Where no one can catch, as in a thread that oneTBB starts another one from.
+void end_out_of_memory() {
+    try {
+        if (std::current_exception()) std::rethrow_exception(std::current_exception());
+    } catch (const std::exception& error) {
+        if (is_out_of_memory(error)) {
+            remove_unfinished_file();
+            fmt::print(stderr, "scanshade: {}\n", out_of_memory);
+            ::_exit(exit_out_of_memory);
+        }
+    } catch (...) {
+    }
+    standard_terminate();
+}
+
 }  // namespace
 
 int run_program(std::string_view program, const std::function<int()>& body) {
-    std::signal(SIGPIPE, SIG_IGN);
+    for (const int writing_fails : {SIGPIPE, SIGXFSZ}) std::signal(writing_fails, SIG_IGN);
+    standard_terminate = std::set_terminate(end_out_of_memory);
+    limit_memory();
     const auto failed = [&](std::string_view sentence, int status) {
         note(fmt::format("{}: {}", program, sentence));
         return status;
@@ -55,13 +92,10 @@ int run_program(std::string_view program, const std::function<int()>& body) {
         return failed(error.what(), int(error.code()));
     } catch (const fs::filesystem_error& error) {
         return failed(error.what(), int(Errc::file));
-    } catch (const std::bad_alloc&) {
-    } catch (const std::length_error&) {
+    } catch (const std::exception& error) {
+        if (!is_out_of_memory(error)) throw;
+        return failed(out_of_memory, exit_out_of_memory);
     }
-    return failed(
-        "there is not enough memory for this scene and picture; a smaller --resolution "
-        "or a smaller file needs less",
-        exit_out_of_memory);
 }
 
 void print(std::string_view text) {
@@ -78,7 +112,7 @@ void note(std::string_view text) { fmt::print(stderr, "{}\n", printable(text)); 
 void warn(const std::vector<std::string>& sentences) {
     constexpr std::size_t shown = 10;
     for (std::size_t i = 0; i < std::min(shown, sentences.size()); ++i)
-        note(fmt::format("warning: {}", sentences[i]));
+        note(fmt::format("warning: {}", shortened(sentences[i])));
     if (sentences.size() > shown)
         note(fmt::format("warning: and {} more; 'scanshade info' lists them all",
                          sentences.size() - shown));

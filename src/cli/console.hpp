@@ -15,7 +15,6 @@ enum ExitStatus : int {
     exit_done = 0,
     exit_different = 1,      // pictures differ, a check failed
     exit_out_of_memory = 5,  // the same as Errc::scene: too large for this machine
-    exit_interrupted = 130,  // by Ctrl-C, as shells say it
 };
 
 /// Runs a program's body. What it throws becomes one sentence on standard error, after the

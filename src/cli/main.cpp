@@ -7,6 +7,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
+#include "cli/interrupt.hpp"
 #include "scanshade/base/error.hpp"
 #include "scanshade/base/text.hpp"
 
@@ -51,7 +52,7 @@ std::string help() {
            "  3  file: cannot be read or written\n"
            "  4  format: the content of a file is damaged or not supported\n"
            "  5  scene: it cannot be drawn as described, or memory does not suffice\n"
-           "  130  interrupted; a report holds what was measured so far\n";
+           "  130  interrupted, 143 terminated; a report holds what was measured so far\n";
 }
 
 int unknown(std::string_view word) {
@@ -91,5 +92,6 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    end_in_order_on_signals();
     return run_program("scanshade", [&] { return run(argc, argv); });
 }

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "cli/console.hpp"
+#include "scanshade/base/memory.hpp"
 #include "scanshade/report/timing.hpp"
 
 namespace scanshade {
@@ -126,18 +126,6 @@ std::string stats_json(const Run& run) {
     if (run.choice) json["choice"] = choice_json(*run.choice);
     // Names from files need not be UTF-8; what is not becomes U+FFFD.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-std::uint64_t peak_memory_bytes() {
-    // getrusage would count what the parent had resident before it started this program.
-    std::ifstream status("/proc/self/status");
-    std::string key;
-    while (status >> key) {
-        std::uint64_t kib = 0;
-        if (key == "VmHWM:" && status >> kib) return 1024 * kib;
-        status.ignore(4096, '\n');
-    }
-    return 0;
 }
 
 }  // namespace scanshade

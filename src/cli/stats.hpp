@@ -43,7 +43,4 @@ Run describe_run(std::string input, const Scene& scene, const Settings& settings
 ///                        slowest_ms}] (what is known of each), covered, checked, allowed}
 std::string stats_json(const Run& run);
 
-/// The most memory that this process has had resident, in bytes; 0 where the system does not say.
-std::uint64_t peak_memory_bytes();
-
 }  // namespace scanshade

@@ -17,6 +17,7 @@
 
 #include "scanshade/base/error.hpp"
 #include "scanshade/base/text.hpp"
+#include "scene/limits.hpp"
 #include "scene/obj_mtl.hpp"
 #include "scene/obj_text.hpp"
 
@@ -32,10 +33,6 @@
 
 namespace scanshade {
 namespace {
-
-constexpr std::size_t max_file_bytes = std::size_t{1} << 32;  // so at most 2^31 corners
-constexpr std::size_t max_face_corners = 1 << 16;
-constexpr double max_coordinate = 1e100;  // squares and cubes of it are finite
 
 /// A word must be a number that a double can hold; the library takes anything else for 0.
 void check_real(std::string_view word) {
@@ -127,13 +124,13 @@ private:
 
 class ObjReader {
 public:
-    ObjReader(const std::filesystem::path& path, bool mtl_ambient)
-        : path_(path), libraries_(file_, mtl_ambient) {
+    ObjReader(const std::filesystem::path& path, SceneFiles& files, bool mtl_ambient)
+        : path_(path), libraries_(file_, files, mtl_ambient) {
         file_.soup.name = path.stem().string();
     }
 
     ObjFile read() {
-        const std::string text = read_text(path_, max_file_bytes);
+        const std::string text = read_text(path_, max_obj_bytes);
         StatementStream statements(text, [this](const Statement& s) { visit(s); });
         std::istream stream(&statements);
         stream.exceptions(std::ios::badbit);  // errors of visit() come through
@@ -193,20 +190,23 @@ private:
 
     void use_material(const std::string& name) {
         const auto next = std::uint32_t(material_numbers_.size());
+        if (next == max_materials && !material_numbers_.contains(name))
+            throw Error(Errc::format,
+                        fmt::format("the file uses more than {} materials", max_materials));
         material_ = material_numbers_.try_emplace(name, next).first->second;
     }
 
     /// One name, which may have blanks in it, or several.
     void read_libraries(std::string_view names) {
-        const auto file = [&](std::string_view name) {
-            std::string spelled(name);
-            std::replace(spelled.begin(), spelled.end(), '\\', '/');
-            return path_.parent_path() / spelled;
-        };
+        std::string spelled(names);
+        std::replace(spelled.begin(), spelled.end(), '\\', '/');
+        const std::filesystem::path folder = path_.parent_path();
         std::error_code ignored;
-        if (std::filesystem::exists(file(names), ignored)) return libraries_.read(file(names));
-        for (auto name = next_word(names); !name.empty(); name = next_word(names))
-            libraries_.read(file(name));
+        if (std::filesystem::exists(folder / spelled, ignored))
+            return libraries_.read(folder, spelled);
+        std::string_view rest = spelled;
+        for (auto name = next_word(rest); !name.empty(); name = next_word(rest))
+            libraries_.read(folder, std::string(name));
     }
 
     void add_position(const glm::dvec3& p) {
@@ -278,8 +278,13 @@ private:
 
 }  // namespace
 
+ObjFile load_obj(const std::filesystem::path& path, SceneFiles& files, bool mtl_ambient) {
+    return ObjReader(path, files, mtl_ambient).read();
+}
+
 ObjFile load_obj(const std::filesystem::path& path, bool mtl_ambient) {
-    return ObjReader(path, mtl_ambient).read();
+    SceneFiles files(path.parent_path(), false);
+    return load_obj(path, files, mtl_ambient);
 }
 
 }  // namespace scanshade

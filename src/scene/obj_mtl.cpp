@@ -12,8 +12,7 @@
 
 #include "scanshade/base/error.hpp"
 #include "scanshade/base/text.hpp"
-#include "scanshade/image/png.hpp"
-#include "scanshade/image/texture.hpp"
+#include "scene/limits.hpp"
 #include "scene/obj_text.hpp"
 
 namespace scanshade {
@@ -21,7 +20,6 @@ namespace {
 
 using Colour = std::array<double, 3>;
 
-constexpr std::size_t max_library_bytes = std::size_t{1} << 28;
 constexpr double max_shininess = 1e6;
 constexpr double max_emission = 1e6;
 constexpr Colour absent_kd{0.8, 0.8, 0.8};
@@ -92,10 +90,11 @@ struct MaterialLibraries::Subject {
     }
 };
 
-void MaterialLibraries::read(const std::filesystem::path& file) {
-    if (!read_.insert(file).second) return;
+void MaterialLibraries::read(const std::filesystem::path& folder, const std::string& name) {
+    if (!read_.insert(folder / name).second) return;
     try {
-        add(file, read_text(file, max_library_bytes));
+        const std::filesystem::path file = files_.find(folder, name);
+        add(file, read_text(file, max_mtl_bytes));
     } catch (const Error& error) {
         report_.warnings.push_back(fmt::format("{}; its materials are missing", error.what()));
     }
@@ -136,8 +135,7 @@ Material MaterialLibraries::make(const std::string& name) {
 
     const double illum = subject.number("illum").value_or(2);
     if (illum == 0) material.brdf = "unlit";
-    material.map_kd = texture(subject);
-    if (material.map_kd) material.map_file = material.map_kd->name;
+    add_texture(subject, material);
     std::optional<Colour> kd = subject.colour("Kd", 1);
     const bool has_colour = kd && *kd != Colour{};
     if (!subject.entry.map_kd.empty() && !has_colour)
@@ -156,31 +154,30 @@ Material MaterialLibraries::make(const std::string& name) {
     return material;
 }
 
-std::shared_ptr<const Texture> MaterialLibraries::texture(const Subject& subject) {
-    if (subject.entry.map_kd.empty()) return nullptr;
+void MaterialLibraries::add_texture(const Subject& subject, Material& material) {
+    if (subject.entry.map_kd.empty()) return;
     std::string name(without_options(subject.entry.map_kd));
     if (name != subject.entry.map_kd) subject.warn("the options of map_Kd are ignored");
     std::replace(name.begin(), name.end(), '\\', '/');
-    return load_texture(subject, name);
-}
-
-/// Looked for beside the library; also without the folders of the machine that wrote the file.
-std::shared_ptr<const Texture> MaterialLibraries::load_texture(const Subject& subject,
-                                                               const std::string& name) {
-    const std::filesystem::path folder = subject.entry.file.parent_path();
-    std::filesystem::path path = folder / name;
-    std::error_code ignored;
-    if (!std::filesystem::exists(path, ignored))
-        path = folder / std::filesystem::path(name).filename();
-    if (!std::filesystem::exists(path, ignored)) path = folder / name;
-    const auto [at, is_new] = textures_.try_emplace(path.string());
-    if (!is_new) return at->second;
     try {
-        at->second = std::make_shared<Texture>(make_texture(load_image(path), path.string()));
+        const std::filesystem::path file = find_texture(subject, name);
+        material.map_kd = files_.texture(file);
+        material.map_file = file;
     } catch (const Error& error) {
         subject.warn(fmt::format("drawn without its texture: {}", error.what()));
     }
-    return at->second;
+}
+
+std::filesystem::path MaterialLibraries::find_texture(const Subject& subject,
+                                                      const std::string& name) const {
+    const std::filesystem::path folder = subject.entry.file.parent_path();
+    const std::filesystem::path alone = std::filesystem::path(name).filename();
+    std::error_code ignored;
+    const auto exists = [&](const std::filesystem::path& file) {
+        return std::filesystem::exists(folder / file, ignored);
+    };
+    const bool as_named = exists(name) && files_.allows(folder / name);
+    return files_.find(folder, as_named || !exists(alone) ? name : alone.string());
 }
 
 }  // namespace scanshade

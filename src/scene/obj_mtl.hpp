@@ -3,13 +3,13 @@
 
 #include <filesystem>
 #include <map>
-#include <memory>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "scanshade/scene/material.hpp"
 #include "scanshade/scene/obj.hpp"
+#include "scene/scene_files.hpp"
 
 namespace scanshade {
 
@@ -26,12 +26,12 @@ struct MtlEntry {
 class MaterialLibraries {
 public:
     /// Events and warnings go to `report`.
-    MaterialLibraries(ObjFile& report, bool mtl_ambient)
-        : report_(report), mtl_ambient_(mtl_ambient) {}
+    MaterialLibraries(ObjFile& report, SceneFiles& files, bool mtl_ambient)
+        : report_(report), files_(files), mtl_ambient_(mtl_ambient) {}
 
-    /// Adds the materials of a library; of two with one name the first counts. A library that
-    /// cannot be read is a warning.
-    void read(const std::filesystem::path& file);
+    /// Adds the materials of a library that a file in `folder` names; of two materials with one name
+    /// the first counts. A library that cannot be read is a warning.
+    void read(const std::filesystem::path& folder, const std::string& name);
 
     bool defines(const std::string& name) const { return entries_.contains(name); }
 
@@ -42,14 +42,15 @@ private:
     struct Subject;  // the material that is being made
 
     void add(const std::filesystem::path& file, const std::string& text);
-    std::shared_ptr<const Texture> texture(const Subject& subject);
-    std::shared_ptr<const Texture> load_texture(const Subject& subject, const std::string& name);
+    void add_texture(const Subject& subject, Material& material);
+    /// Beside the library; also without the folders of the machine that wrote the file.
+    std::filesystem::path find_texture(const Subject& subject, const std::string& name) const;
 
     ObjFile& report_;
+    SceneFiles& files_;
     bool mtl_ambient_;
     std::map<std::string, MtlEntry> entries_;
     std::set<std::filesystem::path> read_;
-    std::map<std::string, std::shared_ptr<const Texture>> textures_;  // by path
 };
 
 }  // namespace scanshade

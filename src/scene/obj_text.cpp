@@ -1,14 +1,9 @@
 #include "scene/obj_text.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <system_error>
 
 #include "scanshade/base/error.hpp"
+#include "scanshade/base/files.hpp"
 
 namespace scanshade {
 namespace {
@@ -18,22 +13,7 @@ constexpr std::string_view blanks = " \t\v\f";
 }  // namespace
 
 std::string read_text(const std::filesystem::path& path, std::size_t max_bytes) {
-    std::error_code reason;
-    const auto size = std::filesystem::file_size(path, reason);
-    if (reason)
-        throw Error(Errc::file, fmt::format("the file cannot be read ({})", reason.message()))
-            .at(path.string());
-    if (size > max_bytes)
-        throw Error(Errc::format,
-                    fmt::format("the file has {} bytes; at most {} are read", size, max_bytes))
-            .at(path.string());
-    std::string text(size, '\0');
-    std::ifstream file(path, std::ios::binary);
-    errno = 0;
-    if (!file.read(text.data(), std::streamsize(size)))
-        throw Error(Errc::file,
-                    fmt::format("the file cannot be read ({})", std::strerror(errno ? errno : EIO)))
-            .at(path.string());
+    std::string text = read_file(path, max_bytes);
     if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
         throw Error(Errc::format, "the file is UTF-16 text; it must be saved as UTF-8")
             .at(path.string());

@@ -115,6 +115,8 @@ void set_parameter(Settings& s, std::string_view value) {
         "NAME=V, NAME=R,G,B or NAME=WORD, such as shininess=80 or distribution=ggx";
     const std::size_t equals = value.find('=');
     if (equals == std::string_view::npos || equals == 0) fail("set", takes, value);
+    if (s.set.size() == max_parameters)
+        throw Error(Errc::usage, fmt::format("--set is given more than {} times", max_parameters));
     ParamSetting setting{std::string(value.substr(0, equals)), {}, {}, {}};
     setting.place = "--set " + setting.name;
     const std::string_view given = value.substr(equals + 1);
@@ -138,6 +140,12 @@ void set_background(Settings& s, std::string_view value) {
     if (v.x < 0 || v.y < 0 || v.z < 0 || max_abs(v) > max_radiance)
         fail("background", takes, value);
     s.background = v;
+}
+
+void add_light(Settings& s, std::string_view value) {
+    if (s.lights.size() == max_lights)
+        throw Error(Errc::usage, fmt::format("--light is given more than {} times", max_lights));
+    s.lights.push_back(parse_light(value));
 }
 
 bool flag(std::string_view option, std::string_view value) {
@@ -236,7 +244,7 @@ constexpr OptionInfo options[] = {
     {"light", "TYPE:...",
      "a light instead of the scene's: point:x,y,z[:r,g,b[:c,l,q]] directional:dx,dy,dz[:r,g,b] "
      "spot:x,y,z:dx,dy,dz:deg[:r,g,b[:c,l,q]] cosine:x,y,z:dx,dy,dz[:r,g,b[:c,l,q]]",
-     true, false, [](Settings& s, std::string_view v) { s.lights.push_back(parse_light(v)); }},
+     true, false, add_light},
     {"normals", "file|average|area|angle", "where vertex normals of a mesh file come from", false,
      false,
      [](Settings& s, std::string_view v) {
@@ -267,6 +275,9 @@ constexpr OptionInfo options[] = {
     {"mtl-ambient", "", "take k_a from the MTL file instead of from Kd", false, true,
      [](Settings& s, std::string_view v) { s.mtl_ambient = flag("mtl-ambient", v); },
      [](const Settings& s) { return std::string(s.mtl_ambient ? "true" : "false"); }, tick(true)},
+    {"allow-outside", "", "read what a scene names outside its own folder, too", false, true,
+     [](Settings& s, std::string_view v) { s.allow_outside = flag("allow-outside", v); }, nullptr,
+     OptionControl{}, true},
     {"up", "y|z", "axis that points up in an OBJ file", false, false,
      [](Settings& s, std::string_view v) { s.up = choice<UpAxis>("up", up_axes, v); },
      [](const Settings& s) { return name_of(up_axes, s.up); }, pick("y|z", true)},

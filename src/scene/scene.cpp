@@ -12,6 +12,7 @@
 #include "scanshade/scene/obj.hpp"
 #include "scene/limits.hpp"
 #include "scene/obj_text.hpp"
+#include "scene/scene_files.hpp"
 #include "scene/up_axis.hpp"
 
 namespace scanshade {
@@ -113,7 +114,6 @@ Scene normalised(const Scene& scene) {
 namespace {
 
 constexpr glm::dvec3 default_ambient(0.12);
-constexpr std::size_t max_scene_bytes = std::size_t{1} << 26;
 constexpr double min_radius = 1e-100;
 
 double aspect_of(const Settings& settings) {
@@ -136,7 +136,8 @@ void apply_overrides(Scene& scene, const Settings& s) {
 }
 
 Scene load_obj_scene(const std::filesystem::path& path, const Settings& settings) {
-    ObjFile file = load_obj(path, settings.mtl_ambient);
+    SceneFiles files(path.parent_path(), settings.allow_outside);
+    ObjFile file = load_obj(path, files, settings.mtl_ambient);
     Scene scene;
     Object object;
     object.mesh = std::make_shared<Mesh>(build_mesh(file.soup, settings.normals));

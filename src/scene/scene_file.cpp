@@ -6,9 +6,9 @@
 
 #include "scanshade/base/error.hpp"
 #include "scanshade/base/text.hpp"
-#include "scanshade/image/png.hpp"
 #include "scanshade/scene/scene.hpp"
 #include "scene/scene_parts.hpp"
+#include "scene/toml_keys.hpp"
 
 namespace scanshade {
 namespace {
@@ -50,6 +50,10 @@ void read_render(const TomlReader& reader, Settings& settings) {
         if (option == nullptr)
             throw reader.error(node, fmt::format("[render] has no key '{}'{}", key.str(),
                                                  suggestion(key.str(), names)));
+        if (option->command_line_only)
+            throw reader.error(node, fmt::format("{} is no choice of a scene's; give --{} on the "
+                                                 "command line",
+                                                 option->name, option->name));
         const toml::array* list = node.as_array();
         const bool texts = list != nullptr && list->is_homogeneous(toml::node_type::string);
         if (!option->repeatable || !texts) {
@@ -81,27 +85,37 @@ const toml::table* sub_table(const TomlReader& root, std::string_view key) {
     return node->as_table();
 }
 
-/// Calls read(reader) for each [[key]].
+/// Calls read(reader) for each [[key]], of which there may be `most`.
 template <class Read>
-void each_table(const TomlReader& root, std::string_view key, Read&& read) {
+void each_table(const TomlReader& root, std::string_view key, std::size_t most, Read&& read) {
     const toml::node* node = root.node(key);
     if (node == nullptr) return;
     const auto misspelt = [&](const toml::node& at) {
         return root.error(at, fmt::format("write {} as an array of tables: [[{}]]", key, key));
     };
     if (!node->is_array()) throw misspelt(*node);
-    for (const toml::node& element : *node->as_array()) {
+    const toml::array& tables = *node->as_array();
+    if (tables.size() > most)
+        throw root.error(tables[most], fmt::format("this is [[{}]] number {}; a scene has at most "
+                                                   "{}",
+                                                   key, most + 1, most));
+    for (const toml::node& element : tables) {
         if (!element.is_table()) throw misspelt(element);
         read(TomlReader(*element.as_table(), root.file(), fmt::format("[[{}]]", key)));
     }
 }
 
 toml::table parse_toml(std::string_view text, const std::string& file) {
+    if (const std::size_t line = line_of_long_key(text, max_key_parts))
+        throw Error(Errc::format, fmt::format("a key has more than {} parts", max_key_parts))
+            .at(file, static_cast<long>(line));
     try {
         return toml::parse(text, file);
     } catch (const toml::parse_error& e) {
         throw Error(Errc::format, fmt::format("this is no TOML: {}", e.description()))
             .at(file, static_cast<long>(e.source().begin.line));
+    } catch (Error& e) {
+        throw e.at(file);
     }
 }
 
@@ -117,11 +131,12 @@ Scene parse_scene(std::string_view text, const std::filesystem::path& file, Sett
     if (const toml::table* image = sub_table(root, "image"))
         read_image(TomlReader(*image, root.file(), "[image]"), settings);
     scene.ambient = root.radiance("ambient").value_or(glm::dvec3(0));
-    each_table(root, "light",
+    each_table(root, "light", max_lights,
                [&](const TomlReader& reader) { scene.lights.push_back(read_light(reader)); });
+    SceneFiles files(file.parent_path(), settings.allow_outside);
     std::set<std::string> names;
-    each_table(root, "material", [&](const TomlReader& reader) {
-        Material material = read_material(reader, file.parent_path());
+    each_table(root, "material", max_materials, [&](const TomlReader& reader) {
+        Material material = read_material(reader, file.parent_path(), files);
         if (!names.insert(material.name).second)
             throw reader.error(*reader.node("name"),
                                fmt::format("a [[material]] of the name '{}' is there already; "
@@ -129,8 +144,9 @@ Scene parse_scene(std::string_view text, const std::filesystem::path& file, Sett
                                            material.name));
         scene.materials.push_back(std::move(material));
     });
-    ObjectReader objects(file.parent_path(), settings, scene);
-    each_table(root, "object", [&](const TomlReader& reader) { objects.read(reader); });
+    ObjectReader objects(file.parent_path(), files, settings, scene);
+    each_table(root, "object", max_objects,
+               [&](const TomlReader& reader) { objects.read(reader); });
     if (const toml::table* camera = sub_table(root, "camera")) {
         const double aspect = double(settings.width) / double(settings.height);
         scene.camera = read_camera(TomlReader(*camera, root.file(), "[camera]"),

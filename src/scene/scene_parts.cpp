@@ -5,8 +5,6 @@
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "scanshade/image/png.hpp"
-#include "scanshade/image/texture.hpp"
 #include "scanshade/scene/obj.hpp"
 #include "scanshade/scene/shapes.hpp"
 #include "scene/limits.hpp"
@@ -66,7 +64,8 @@ Light read_light(const TomlReader& reader) {
     return light;
 }
 
-Material read_material(const TomlReader& reader, const std::filesystem::path& folder) {
+Material read_material(const TomlReader& reader, const std::filesystem::path& folder,
+                       SceneFiles& files) {
     Material material;
     const auto name = reader.text("name");
     if (!name || name->empty()) throw reader.error("[[material]] has no name; give name = \"...\"");
@@ -74,14 +73,16 @@ Material read_material(const TomlReader& reader, const std::filesystem::path& fo
     material.place = reader.place(reader.table());
     material.brdf = reader.text("brdf").value_or(material.brdf);
     if (const auto map = reader.text("map_kd")) {
-        const std::filesystem::path path = folder / *map;
         try {
-            material.map_kd = std::make_shared<Texture>(make_texture(load_image(path), *map));
-            material.map_file = path;
+            material.map_file = files.find(folder, *map);
+            material.map_kd = files.texture(material.map_file);
         } catch (const Error& e) {
             throw reader.error(*reader.node("map_kd"), fmt::format("map_kd: {}", e.what()));
         }
     }
+    if (reader.table().size() > max_parameters)
+        throw reader.error(fmt::format("[[material]] has {} keys; at most {} are read",
+                                       reader.table().size(), max_parameters));
     // Every other key is a parameter; its name is checked when the model is known for good.
     for (const auto& [key, node] : reader.table()) {
         if (key == "name" || key == "brdf" || key == "map_kd") continue;
@@ -147,7 +148,7 @@ const ObjectReader::Source& ObjectReader::file_source(const TomlReader& reader,
     if (!is_new) return source;
     ObjFile file;
     try {
-        file = load_obj(folder_ / name, settings_.mtl_ambient);
+        file = load_obj(files_.find(folder_, name), files_, settings_.mtl_ambient);
     } catch (const Error& e) {
         Error here(e.code(), fmt::format("mesh: {}", e.what()));
         throw here.at(reader.place(*reader.node("mesh")));
@@ -158,14 +159,18 @@ const ObjectReader::Source& ObjectReader::file_source(const TomlReader& reader,
         throw Error(Errc::format, fmt::format("mesh: {} has no face that can be drawn",
                                               (folder_ / name).string()))
             .at(reader.place(*reader.node("mesh")));
-    add_materials(source, std::move(file.materials));
+    add_materials(reader, source, std::move(file.materials));
     scene_.warnings.insert(scene_.warnings.end(), file.warnings.begin(), file.warnings.end());
     scene_.events += file.events;
     scene_.events += source.mesh->events;
     return source;
 }
 
-void ObjectReader::add_materials(Source& source, std::vector<Material> materials) {
+void ObjectReader::add_materials(const TomlReader& reader, Source& source,
+                                 std::vector<Material> materials) {
+    if (scene_.materials.size() + materials.size() > max_materials)
+        throw reader.error(
+            fmt::format("the scene has more than {} materials by here", max_materials));
     for (Material& material : materials) {
         source.materials.push_back(static_cast<std::uint32_t>(scene_.materials.size()));
         scene_.materials.push_back(std::move(material));
@@ -187,7 +192,7 @@ const ObjectReader::Source& ObjectReader::shape_source(const TomlReader& reader,
     source.mesh = make_shape_mesh(shape, static_cast<int>(n));
     source.shape = name;
     source.tessellation = static_cast<int>(n);
-    add_materials(source, shape.materials());
+    add_materials(reader, source, shape.materials());
     scene_.events += source.mesh->events;
     return source;
 }

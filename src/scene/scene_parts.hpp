@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "scanshade/scene/scene.hpp"
+#include "scene/scene_files.hpp"
 #include "scene/toml_reader.hpp"
 
 namespace scanshade {
@@ -16,14 +17,16 @@ namespace scanshade {
 /// `framed` with what the table says instead.
 Camera read_camera(const TomlReader& reader, const Camera& framed);
 Light read_light(const TomlReader& reader);
-Material read_material(const TomlReader& reader, const std::filesystem::path& folder);
+Material read_material(const TomlReader& reader, const std::filesystem::path& folder,
+                       SceneFiles& files);
 
 /// Reads [[object]] tables into a scene whose named materials are there already. A mesh file or
 /// shape that several objects use is made once.
 class ObjectReader {
 public:
-    ObjectReader(std::filesystem::path folder, const Settings& settings, Scene& scene)
-        : folder_(std::move(folder)), settings_(settings), scene_(scene) {
+    ObjectReader(std::filesystem::path folder, SceneFiles& files, const Settings& settings,
+                 Scene& scene)
+        : folder_(std::move(folder)), files_(files), settings_(settings), scene_(scene) {
         for (const Material& material : scene.materials)
             names_.emplace(material.name, names_.size());
     }
@@ -41,12 +44,13 @@ private:
     };
     const Source& file_source(const TomlReader& reader, const std::string& name);
     const Source& shape_source(const TomlReader& reader, const std::string& name);
-    void add_materials(Source& source, std::vector<Material> materials);
+    void add_materials(const TomlReader& reader, Source& source, std::vector<Material> materials);
     std::uint32_t material_index(const TomlReader& reader, const toml::node& at) const;
     /// `material` for all of the mesh, or `materials` one by one.
     void read_materials(const TomlReader& reader, Object& object) const;
 
     std::filesystem::path folder_;
+    SceneFiles& files_;
     const Settings& settings_;
     Scene& scene_;
     std::map<std::string, std::size_t, std::less<>> names_;  // materials of the scene file

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <toml++/toml.h>
 #include <algorithm>
 #include <cmath>
 #include <glm/vec3.hpp>
@@ -17,6 +16,7 @@
 #include "scanshade/base/error.hpp"
 #include "scanshade/base/text.hpp"
 #include "scene/limits.hpp"
+#include "scene/toml.hpp"
 
 namespace scanshade {
 

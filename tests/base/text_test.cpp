@@ -32,3 +32,19 @@ TEST_CASE("split keeps empty parts", "[base]") {
     CHECK(split("", ',').size() == 1);
     CHECK(split("1:2:", ':').back().empty());
 }
+
+TEST_CASE("long texts lose their middle, and no part of a character", "[text]") {
+    CHECK(shortened("short") == "short");
+    CHECK(shortened(std::string(1000, 'x')).size() == 1000);
+    const std::string cut = shortened("begin" + std::string(1 << 20, 'x') + "end");
+    CHECK(cut.size() < 1010);
+    CHECK(cut.starts_with("begin"));
+    CHECK(cut.ends_with("end"));
+    std::string text;
+    for (int i = 0; i < 500; ++i) text += "∫";
+    for (std::size_t most = 4; most < 40; ++most) {
+        const std::string few = shortened(text, most);
+        CAPTURE(most, few);
+        CHECK((few.size() - std::string(" … ").size()) % 3 == 0);
+    }
+}

@@ -15,8 +15,8 @@
 #include <type_traits>
 
 #include "bench/scenes.hpp"
-#include "cli/stats.hpp"
 #include "scanshade/base/error.hpp"
+#include "scanshade/base/memory.hpp"
 #include "scanshade/base/timer.hpp"
 
 namespace scanshade::bench {

@@ -1,6 +1,7 @@
 #include "cli/process.hpp"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -21,14 +22,23 @@ int open_for_child(const std::string& path) {
     return descriptor;
 }
 
+struct Limit {
+    int resource;
+    rlimit value;
+};
+
 /// Starts the program with these descriptors; the caller keeps its own copies.
-pid_t start(const std::string& program, const std::vector<std::string>& args, int out, int err) {
+pid_t start(const std::string& program, const std::vector<std::string>& args, int out, int err,
+            const Limit* limit = nullptr) {
     std::vector<char*> argv{const_cast<char*>(program.c_str())};
     for (const std::string& arg : args) argv.push_back(const_cast<char*>(arg.c_str()));
     argv.push_back(nullptr);
     const pid_t child = ::fork();
     if (child < 0) throw std::runtime_error("cannot fork");
     if (child > 0) return child;
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+        ::signal(signal, SIG_DFL);  // as from a terminal
+    if (limit) ::setrlimit(__rlimit_resource_t(limit->resource), &limit->value);
     ::dup2(out, STDOUT_FILENO);
     ::dup2(err, STDERR_FILENO);
     ::execv(argv[0], argv.data());
@@ -98,7 +108,7 @@ Finished run_scanshade_unread(const std::vector<std::string>& args) {
 }
 
 Finished run_scanshade_interrupted(const std::vector<std::string>& args, const std::string& file,
-                                   std::chrono::milliseconds after) {
+                                   std::chrono::milliseconds after, int signal) {
     const TempFolder folder;
     const int out = open_for_child(folder.path / "out"), err = open_for_child(folder.path / "err");
     const pid_t child = start(SCANSHADE_BINARY, args, out, err);
@@ -108,9 +118,23 @@ Finished run_scanshade_interrupted(const std::vector<std::string>& args, const s
     for (int i = 0; i < 3000 && !std::filesystem::exists(file); ++i)
         std::this_thread::sleep_for(step);
     std::this_thread::sleep_for(after);
-    ::kill(child, SIGINT);
+    ::kill(child, signal);
     Finished finished;
     finished.status = wait_for(child);
+    finished.out = read_file(folder.path / "out");
+    finished.err = read_file(folder.path / "err");
+    return finished;
+}
+
+Finished run_scanshade_limited(const std::vector<std::string>& args, int resource,
+                               std::uint64_t bytes) {
+    const TempFolder folder;
+    const int out = open_for_child(folder.path / "out"), err = open_for_child(folder.path / "err");
+    const Limit limit{resource, {rlim_t(bytes), rlim_t(bytes)}};
+    Finished finished;
+    finished.status = wait_for(start(SCANSHADE_BINARY, args, out, err, &limit));
+    ::close(out);
+    ::close(err);
     finished.out = read_file(folder.path / "out");
     finished.err = read_file(folder.path / "err");
     return finished;

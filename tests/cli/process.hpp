@@ -2,6 +2,8 @@
 #pragma once
 
 #include <chrono>
+#include <csignal>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -26,10 +28,14 @@ Finished run_scanshade_on_terminal(const std::vector<std::string>& args, const s
 /// The same with nobody left to read standard output; `out` is empty.
 Finished run_scanshade_unread(const std::vector<std::string>& args);
 
-/// The same, sent SIGINT some time after `file` has appeared.
-Finished run_scanshade_interrupted(
-    const std::vector<std::string>& args, const std::string& file,
-    std::chrono::milliseconds after = std::chrono::milliseconds(500));
+/// The same, sent a signal some time after `file` has appeared.
+Finished run_scanshade_interrupted(const std::vector<std::string>& args, const std::string& file,
+                                   std::chrono::milliseconds after = std::chrono::milliseconds(500),
+                                   int signal = SIGINT);
+
+/// The same with a limit of the system's on the process: RLIMIT_AS, RLIMIT_FSIZE, ... in bytes.
+Finished run_scanshade_limited(const std::vector<std::string>& args, int resource,
+                               std::uint64_t bytes);
 
 /// The whole file, as it is.
 std::string read_file(const std::string& path);

@@ -198,7 +198,7 @@ TEST_CASE("info shows what lights and materials have", "[cli]") {
     const std::string lights = run_well({"info", "models/scenes/lights.toml"}).out;
     CHECK(lights.find("cutoff 21°, penumbra ") != std::string::npos);
     const std::string textures = run_well({"info", "models/scenes/textures.toml"}).out;
-    CHECK(textures.find("map_kd ../textures/tiles.png, 96 × 96") != std::string::npos);
+    CHECK(textures.find("map_kd models/scenes/textures/tiles.png, 96 × 96") != std::string::npos);
 }
 
 TEST_CASE("labels of a sheet are whole, however small its cells are", "[cli]") {

@@ -1,5 +1,6 @@
 #include "scanshade/image/png.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -92,7 +93,7 @@ TEST_CASE("sizes that no PNG writer should see are refused first", "[image][png]
 TEST_CASE("files that are no pictures are refused by name", "[image][png]") {
     const TempFolder folder;
     check_error(Errc::file, "none.png", [&] { load_image(folder.path / "none.png"); });
-    check_error(Errc::file, "directory", [&] { load_image(folder.path); });
+    check_error(Errc::file, "it is a folder", [&] { load_image(folder.path); });
     for (const std::string& bytes : {std::string(), std::string("not a picture"),
                                      std::string("\x89PNG\r\n\x1a\n"), std::string(4096, '\xff')}) {
         folder.write("bad.png", bytes);
@@ -127,10 +128,21 @@ std::string big_endian(std::size_t value) {
     return bytes;
 }
 
-/// A PNG of one row, not compressed; checksums are left 0, which the reader does not mind.
-std::string tiny_png(int width, int bit_depth, int colour_type, const std::string& row) {
+/// CRC-32 as PNG has it, bit by bit.
+std::size_t crc32(const std::string& bytes) {
+    std::uint32_t crc = ~0u;
+    for (const char c : bytes) {
+        crc ^= std::uint8_t(c);
+        for (int bit = 0; bit < 8; ++bit) crc = crc >> 1 ^ (crc & 1 ? 0xedb88320u : 0);
+    }
+    return ~crc;
+}
+
+/// A PNG of one row, not compressed; `more` is data that no pixel needs.
+std::string tiny_png(int width, int bit_depth, int colour_type, const std::string& row,
+                     const std::string& more = {}) {
     const auto chunk = [](const std::string& type, const std::string& data) {
-        return big_endian(data.size()) + type + data + big_endian(0);
+        return big_endian(data.size()) + type + data + big_endian(crc32(type + data));
     };
     const std::string raw = std::string(1, '\0') + row;  // filter: none
     const char low = char(raw.size());
@@ -139,7 +151,7 @@ std::string tiny_png(int width, int bit_depth, int colour_type, const std::strin
     return "\x89PNG\r\n\x1a\n" +
            chunk("IHDR", big_endian(std::size_t(width)) + big_endian(1) + char(bit_depth) +
                              char(colour_type) + std::string(3, '\0')) +
-           chunk("IDAT", zlib + raw + big_endian(0)) + chunk("IEND", "");
+           chunk("IDAT", zlib + raw + big_endian(0) + more) + chunk("IEND", "");
 }
 
 }  // namespace
@@ -154,6 +166,94 @@ TEST_CASE("grey is spread, alpha dropped and 16 bits are cut", "[image][png]") {
     CHECK(load_image(file).rgb == Bytes{1, 2, 3});
     folder.write("tiny.png", tiny_png(1, 16, 2, "\x01\xff\x02\xff\x03\xff"));
     CHECK(load_image(file).rgb == Bytes{1, 2, 3});
+}
+
+TEST_CASE("a PNG file with a wrong bit is refused, wherever the bit is", "[image][png]") {
+    const auto png = encode_png(gradient(8, 8));
+    const std::string good(png.begin(), png.end());
+    REQUIRE(decode_image(good).width == 8);
+    constexpr std::size_t last_chunk = 12;  // says only that it is the last
+    for (std::size_t bit = 0; bit < 8 * (good.size() - last_chunk); bit += 5) {
+        CAPTURE(bit);
+        std::string bad = good;
+        bad[bit / 8] = char(bad[bit / 8] ^ 1 << bit % 8);
+        CHECK_THROWS_AS(decode_image(bad), Error);
+    }
+}
+
+TEST_CASE("a PNG file with far more data than pixels is not unpacked", "[image][png]") {
+    CHECK(decode_image(tiny_png(2, 8, 0, "ab", std::string(4000, '\0'))).width == 2);
+    check_error(Errc::format, "more data than its pixels",
+                [] { decode_image(tiny_png(2, 8, 0, "ab", std::string(5000, '\0'))); });
+}
+
+namespace {
+
+std::string little_endian(std::size_t value, int bytes) {
+    std::string out;
+    for (int i = 0; i < bytes; ++i) out += char(value >> 8 * i & 0xff);
+    return out;
+}
+
+/// The segments of a JPEG file around one of tables of codes.
+std::string jpeg_with_table(std::size_t codes) {
+    std::string counts(16, '\0');
+    for (std::size_t i = 0, left = codes; left > 0; ++i) {
+        const std::size_t n = std::min<std::size_t>(left, 255);
+        counts[15 - i] = char(n), left -= n;
+    }
+    const std::string table = std::string(1, '\0') + counts + std::string(codes, '\0');
+    const std::string length = {char((table.size() + 2) >> 8), char((table.size() + 2) & 0xff)};
+    return "\xff\xd8\xff\xc4" + length + table;
+}
+
+}  // namespace
+
+TEST_CASE("a table of codes that is too long for the decoder does not reach it", "[image][png]") {
+    for (const std::size_t codes : {257u, 300u, 16u * 255u})
+        check_error(Errc::format, "table of codes", [&] { decode_image(jpeg_with_table(codes)); });
+    check_error(Errc::format, "no complete picture", [&] { decode_image(jpeg_with_table(256)); });
+    // A table that only begins in its segment.
+    std::string begun = jpeg_with_table(300);
+    begun[4] = 0, begun[5] = 3;
+    check_error(Errc::format, "table of codes", [&] { decode_image(begun); });
+    // Also behind a scan, and behind what would be skipped.
+    const std::string bad = jpeg_with_table(300).substr(2);
+    check_error(Errc::format, "table of codes",
+                [&] { decode_image("\xff\xd8\xff\xda" + std::string("\0\4ab\xff", 5) + bad); });
+    check_error(Errc::format, "table of codes",
+                [&] { decode_image("\xff\xd8\xff\xe1" + std::string("\0\4ab", 4) + bad); });
+}
+
+TEST_CASE("BMP and TGA files that are cut off are refused", "[image][png]") {
+    const std::string row(12, '\x40');  // 4 pixels
+    const std::string bmp = "BM" + little_endian(78, 4) + little_endian(0, 4) +
+                            little_endian(54, 4) + little_endian(40, 4) + little_endian(4, 4) +
+                            little_endian(2, 4) + little_endian(1, 2) + little_endian(24, 2) +
+                            std::string(24, '\0') + row + row;
+    const auto tga = [&](int type, const std::string& pixels) {
+        return std::string(2, '\0') + char(type) + std::string(9, '\0') + little_endian(4, 2) +
+               little_endian(2, 2) + "\x18" + '\0' + pixels;
+    };
+    const std::string raw = tga(2, row + row);
+    const std::string packed = tga(10,
+                                   "\x83"
+                                   "abc\x03" +
+                                       row);
+    for (const std::string& file : {bmp, raw, packed}) {
+        CAPTURE(file.size());
+        CHECK(decode_image(file).width == 4);
+        for (std::size_t size = file.size() - 4; size > 20; --size) {
+            CAPTURE(size);
+            CHECK_THROWS_AS(decode_image(std::string_view(file).substr(0, size)), Error);
+        }
+    }
+}
+
+TEST_CASE("a picture larger than is allowed is refused by its header", "[image][png]") {
+    const std::string png = tiny_png(2, 8, 0, "ab");
+    CHECK(decode_image(png, 2).width == 2);
+    check_error(Errc::format, "2 × 1", [&] { decode_image(png, 1); });
 }
 
 TEST_CASE("JPEG, BMP and TGA pictures have the size and mean that another decoder gives",

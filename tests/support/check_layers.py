@@ -29,6 +29,7 @@ LIBRARIES = [
     (r"SDL", r"(src|tests)/viewer/"),
     (r"imgui", r"src/viewer/"),
     (r"tiny_obj_loader", r"src/scene/obj\.cpp$"),
+    (r"toml\+\+", r"src/scene/toml\.hpp$"),
     (r"(stb/)?stb_easy_font", r"src/(cli|viewer)/"),
     (r"(stb/)?stb_", r"src/image/png\.cpp$"),
     (r"catch2/", r"tests/"),

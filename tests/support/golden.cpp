@@ -1,7 +1,7 @@
 #include "support/golden.hpp"
 
-#include <toml++/toml.h>
 #include <filesystem>
+#include "scene/toml.hpp"
 
 #include "support/catch.hpp"
 

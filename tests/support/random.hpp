@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 namespace scanshade {
 
@@ -9,8 +10,15 @@ namespace scanshade {
 class Rng {
 public:
     explicit Rng(std::uint64_t seed) : state_(seed) {}
+    /// The first numbers are the tape's, two bytes each: so a fuzzer chooses what follows from them.
+    explicit Rng(std::span<const std::uint8_t> tape) : state_(tape.size()), tape_(tape) {}
 
     std::uint64_t bits() {
+        if (tape_.size() >= 2) {
+            const auto word = std::uint64_t(tape_[0]) << 8 | tape_[1];
+            tape_ = tape_.subspan(2);
+            return word * 0x0001000100010001u;
+        }
         std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
         z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
         z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
@@ -28,6 +36,7 @@ public:
 
 private:
     std::uint64_t state_;
+    std::span<const std::uint8_t> tape_{};
 };
 
 }  // namespace scanshade

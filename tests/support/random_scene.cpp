@@ -12,7 +12,7 @@ namespace {
 
 class SceneMaker {
 public:
-    explicit SceneMaker(std::uint64_t seed) : rng_(seed) {}
+    explicit SceneMaker(const Rng& rng) : rng_(rng) {}
 
     RandomScene make() {
         Scene& scene = out_.scene;
@@ -163,7 +163,7 @@ private:
 
 }  // namespace
 
-RandomScene make_random_scene(std::uint64_t seed) { return SceneMaker(seed).make(); }
+RandomScene make_random_scene(Rng rng) { return SceneMaker(rng).make(); }
 
 std::string describe(const RandomScene& random) {
     const Settings& s = random.settings;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "scanshade/scene/scene.hpp"
+#include "support/random.hpp"
 
 namespace scanshade {
 
@@ -12,8 +13,9 @@ struct RandomScene {
     Settings settings;
 };
 
-/// Everything follows from the seed. Pictures are small, at most 96 samples a side.
-RandomScene make_random_scene(std::uint64_t seed);
+/// Everything follows from the numbers. Pictures are small, at most 96 samples a side.
+RandomScene make_random_scene(Rng rng);
+inline RandomScene make_random_scene(std::uint64_t seed) { return make_random_scene(Rng(seed)); }
 
 /// What a person wants to know of a scene whose test failed, in a line.
 std::string describe(const RandomScene& random);

@@ -23,6 +23,10 @@ std::optional<double> parse_real(std::string_view text);
 /// An integer that fills the whole text and fits; nothing otherwise.
 std::optional<long long> parse_integer(std::string_view text);
 
+/// The text, or of a longer one than `most` bytes its beginning and end, cut between characters of
+/// UTF-8: a name in a sentence may be a file's megabyte.
+std::string shortened(std::string_view text, std::size_t most = 1000);
+
 /// The parts of `text` between `separator`; "a,,b" has three parts and "" has one.
 std::vector<std::string_view> split(std::string_view text, char separator);
 

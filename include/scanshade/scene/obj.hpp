@@ -18,8 +18,14 @@ struct ObjFile {
     std::vector<std::string> warnings;  // a material library or texture that is not there, ...
 };
 
-/// Reads an OBJ file, its material libraries and textures. Attributes are finite and indices in
-/// range afterwards. Throws Error: file (cannot be read), format (with the line).
+class SceneFiles;  // src/scene/scene_files.hpp
+
+/// Reads an OBJ file, and of its material libraries and textures those that `files` allows.
+/// Attributes are finite and indices in range afterwards. Throws Error: file (cannot be read), format
+/// (with the line).
+ObjFile load_obj(const std::filesystem::path& path, SceneFiles& files, bool mtl_ambient);
+
+/// The same with what lies in the folder of the OBJ file.
 ObjFile load_obj(const std::filesystem::path& path, bool mtl_ambient = false);
 
 }  // namespace scanshade

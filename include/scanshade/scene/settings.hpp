@@ -60,8 +60,9 @@ struct Settings {
     bool mtl_ambient = false;  // k_a from the MTL file instead of from Kd
     UpAxis up = UpAxis::y;     // of OBJ files
     Cull cull = Cull::none;
-    double tolerance = 0;  // levels of 255 that lights left out of a tile may add together
-    bool no_plan = false;  // leave nothing out that the picture does not need
+    double tolerance = 0;        // levels of 255 that lights left out of a tile may add together
+    bool allow_outside = false;  // files that a scene names may be outside its folder
+    bool no_plan = false;        // leave nothing out that the picture does not need
     std::set<std::string, std::less<>> kept_rows;  // rows of the plan that are not left out
 
     std::set<std::string, std::less<>> given;  // names of options given on the command line
@@ -89,6 +90,7 @@ struct OptionInfo {
     /// What apply would take for the value that is there; null for what has no single one.
     std::string (*show)(const Settings& settings) = nullptr;
     OptionControl control{};
+    bool command_line_only = false;  // not for a scene to say
 };
 
 /// Every option that all rendering commands share. A scene file's [render] table knows the same
