@@ -42,14 +42,18 @@ std::vector<SnappedPoint> clipped(std::vector<ClipVertex> polygon, const View& v
     return points;
 }
 
-using Coverage = std::array<std::array<int, side>, side>;
+/// How often each sample is covered.
+struct Coverage {
+    int at[side][side] = {};
+    bool operator==(const Coverage&) const = default;
+};
 
 Coverage coverage(const std::vector<SnappedPoint>& points) {
-    Coverage count{};
+    Coverage count;
     if (points.size() < 3 || twice_area(points) == 0) return count;
     PolygonWalker().walk(points, twice_area(points) > 0, {}, side, side,
                          [&](int y, int begin, int end) {
-                             for (int x = begin; x < end; ++x) ++count[y][x];
+                             for (int x = begin; x < end; ++x) ++count.at[y][x];
                          });
     return count;
 }
@@ -95,10 +99,10 @@ public:
         const double at_far = double(volume_) / double(view_.far), slope = std::hypot(sum_x, sum_y);
         planes[3] = {at_near - sum, slope + 1e-6 * at_near};
         planes[4] = {sum - at_far, slope + 1e-6 * at_far};
-        int side = 1;
+        int where = 1;
         for (const HalfPlane& p : planes)
-            side = std::min(side, p.value < -p.slope ? -1 : p.value > p.slope ? 1 : 0);
-        return side;
+            where = std::min(where, p.value < -p.slope ? -1 : p.value > p.slope ? 1 : 0);
+        return where;
     }
 
 private:
@@ -114,9 +118,9 @@ void check_against_exact(const std::array<ClipVertex, 3>& t, const View& view) {
     for (int y = 0; y < side; ++y)
         for (int x = 0; x < side; ++x) {
             const int expected = exact.side_of(2 * x + 1 - side, 2 * y + 1 - side);
-            if (got[y][x] > 1) broken("a triangle covers a sample once");
-            if (expected > 0 && got[y][x] == 0) broken("a triangle covers what is inside");
-            if (expected < 0 && got[y][x] > 0) broken("a triangle covers nothing outside");
+            if (got.at[y][x] > 1) broken("a triangle covers a sample once");
+            if (expected > 0 && got.at[y][x] == 0) broken("a triangle covers what is inside");
+            if (expected < 0 && got.at[y][x] > 0) broken("a triangle covers nothing outside");
         }
 }
 

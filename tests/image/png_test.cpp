@@ -7,6 +7,7 @@
 #include <string>
 
 #include "scanshade/base/error.hpp"
+#include "scanshade/base/files.hpp"
 #include "support/catch.hpp"
 #include "support/temp_folder.hpp"
 
@@ -272,6 +273,10 @@ TEST_CASE("JPEG, BMP and TGA pictures have the size and mean that another decode
                           {"IQM/Head.jpg", 512, 512, {53.54, 57.84, 22.07}},
                           {"MD2/sydney.bmp", 308, 193, {40.92, 38.05, 35.83}},
                           {"Collada/duckCM.tga", 512, 512, {233.62, 193.01, 15.68}}};
+    const std::string jpeg = read_file(models / cases[0].file, 1 << 20);
+    for (std::size_t size = jpeg.size() / 2; size < jpeg.size(); size += jpeg.size() / 7)
+        check_error(Errc::format, "cut off",
+                    [&] { decode_image(std::string_view(jpeg).substr(0, size)); });
     for (const Case& c : cases) {
         CAPTURE(c.file);
         const Image image = load_image(models / c.file);
