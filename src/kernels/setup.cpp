@@ -101,12 +101,12 @@ private:
         const VecI one = hn::Set(tag_i, 1);
         std::uint32_t kept = 0;
         for (std::uint32_t i = 0; i < queued_; i += std::uint32_t(N)) {
-            const VecI packed = hn::LoadU(tag_i, queue_ + i);
+            const MaskI used = hn::FirstN(tag_i, std::min(queued_ - i, std::uint32_t(N)));
+            const VecI packed = hn::IfThenElseZero(used, hn::LoadU(tag_i, queue_ + i));
             const Corners<3> c = fetch<3>(of_.vertices, packed);
             const Boxes box = boxes_of(c, of_.view);
             const MaskI larger =
                 hn::Or(hn::Gt(hn::Sub(box.x1, box.x0), one), hn::Gt(hn::Sub(box.y1, box.y0), one));
-            const MaskI used = hn::FirstN(tag_i, std::min(queued_ - i, std::uint32_t(N)));
             const Edges<3> edges = edges_of(c, box, of_.view);
             MaskI any = hn::MaskFromVec(hn::Zero(tag_i));
             for (int y = 0; y < 2; ++y)

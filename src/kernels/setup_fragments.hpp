@@ -141,7 +141,8 @@ private:
     const ClusterContext& of_;
     BatchStore& store_;
     SetupWorker& worker_;
-    alignas(64) std::int32_t staged_[staged_rows][2 * N];
+    // Unused lanes of a last batch name some vertex, too.
+    alignas(64) std::int32_t staged_[staged_rows][2 * N] = {};
     std::uint32_t count_ = 0;
 };
 
