@@ -7,27 +7,15 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <functional>
 
 #include "scanshade/base/error.hpp"
-#include "support/catch.hpp"
+#include "support/check_error.hpp"
 #include "support/temp_folder.hpp"
 
 using namespace scanshade;
 namespace fs = std::filesystem;
 
 namespace {
-
-void check_error(Errc code, const std::string& part, const std::function<void()>& call) {
-    try {
-        call();
-        FAIL("no error, expected: " << part);
-    } catch (const Error& error) {
-        CAPTURE(error.what());
-        CHECK(error.code() == code);
-        CHECK(std::string(error.what()).find(part) != std::string::npos);
-    }
-}
 
 std::size_t file_count(const TempFolder& folder) {
     return std::size_t(

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <string>
 
 #include "scanshade/base/error.hpp"
 #include "scanshade/base/files.hpp"
-#include "support/catch.hpp"
+#include "support/check_error.hpp"
 #include "support/temp_folder.hpp"
 
 using namespace scanshade;
@@ -30,17 +29,6 @@ Image gradient(int width, int height) {
             image.pixel(x, y)[2] = std::uint8_t(x ^ y);
         }
     return image;
-}
-
-void check_error(Errc code, const std::string& part, const std::function<void()>& call) {
-    try {
-        call();
-        FAIL("no error, expected: " << part);
-    } catch (const Error& error) {
-        CAPTURE(error.what());
-        CHECK(error.code() == code);
-        CHECK(std::string(error.what()).find(part) != std::string::npos);
-    }
 }
 
 }  // namespace

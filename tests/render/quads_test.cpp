@@ -4,7 +4,7 @@
 #include "scanshade/kernels/isa.hpp"
 #include "support/catch.hpp"
 #include "support/level_check.hpp"
-#include "support/random_mesh.hpp"
+#include "support/random_scene.hpp"
 
 using namespace scanshade;
 
@@ -31,17 +31,6 @@ PolygonSoup sheet(Rng& rng, double side) {
             if (rng.chance(0.1)) faces.back().pop_back();  // triangles among them
         }
     return make_soup(p, faces);
-}
-
-Scene scene_of(PolygonSoup soup, bool textured, Rng& rng) {
-    for (PolygonSoup::Corner& corner : soup.corners) {
-        corner.texcoord = std::uint32_t(soup.texcoords.size());
-        soup.texcoords.push_back({rng.real(0, 3), rng.real(0, 3)});
-    }
-    Scene scene = make_scene(soup, camera.camera);
-    scene.ambient = {0.1, 0.1, 0.1};
-    if (textured) scene.materials[0].map_kd = make_random_texture(rng);
-    return scene;
 }
 
 /// Faces that went through records, of all.
@@ -71,7 +60,8 @@ TEST_CASE("quadrilaterals drawn whole show what the scalar renderer shows", "[en
                 Rng rng(std::uint64_t(variant + 1));
                 Settings settings = settings_of(variant);
                 settings.isa = isa;
-                const Scene scene = scene_of(sheet(rng, side), variant >= 12, rng);
+                const Scene scene =
+                    textured_scene(sheet(rng, side), camera.camera, variant >= 12, rng);
                 CAPTURE(isa, side, variant);
                 Drawn drawn;
                 CHECK(scalar_difference(scene, settings, RendererKind::scalar_f32, drawn, counts) ==

@@ -4,7 +4,7 @@
 
 #include "support/catch.hpp"
 #include "support/level_check.hpp"
-#include "support/random_mesh.hpp"
+#include "support/random_scene.hpp"
 
 using namespace scanshade;
 
@@ -99,17 +99,6 @@ constexpr Kind kinds[] = {{"needles", needles},
                           {"polygons", polygons},
                           {"large quads", large_quads}};
 
-Scene scene_of(PolygonSoup soup, bool textured, Rng& rng) {
-    for (PolygonSoup::Corner& corner : soup.corners) {
-        corner.texcoord = std::uint32_t(soup.texcoords.size());
-        soup.texcoords.push_back({rng.real(0, 3), rng.real(0, 3)});
-    }
-    Scene scene = make_scene(soup, camera.camera);
-    scene.ambient = {0.1, 0.1, 0.1};
-    if (textured) scene.materials[0].map_kd = make_random_texture(rng);
-    return scene;
-}
-
 std::uint64_t records_of(const Drawn& drawn) {
     for (const StageStats& stage : drawn.stats.stages)
         if (stage.name == "records") return stage.items;
@@ -128,7 +117,8 @@ TEST_CASE("records show what the scalar renderer shows", "[engine][records]") {
                 Settings settings = camera.settings();
                 settings.shading = Shading(variant % 3);
                 settings.interpolation = Interpolation(variant / 3 % 3);
-                const Scene scene = scene_of(kind.make(rng), variant >= 9, rng);
+                const Scene scene =
+                    textured_scene(kind.make(rng), camera.camera, variant >= 9, rng);
                 CAPTURE(kind.name, seed, variant);
                 Drawn drawn;
                 CHECK(scalar_difference(scene, settings, RendererKind::scalar_f32, drawn, counts) ==

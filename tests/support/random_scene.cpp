@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "support/pictures.hpp"
 #include "support/random_mesh.hpp"
 
 namespace scanshade {
@@ -164,6 +165,17 @@ private:
 }  // namespace
 
 RandomScene make_random_scene(Rng rng) { return SceneMaker(rng).make(); }
+
+Scene textured_scene(PolygonSoup soup, const Camera& camera, bool textured, Rng& rng) {
+    for (PolygonSoup::Corner& corner : soup.corners) {
+        corner.texcoord = std::uint32_t(soup.texcoords.size());
+        soup.texcoords.push_back({rng.real(0, 3), rng.real(0, 3)});
+    }
+    Scene scene = make_scene(soup, camera);
+    scene.ambient = {0.1, 0.1, 0.1};
+    if (textured) scene.materials[0].map_kd = make_random_texture(rng);
+    return scene;
+}
 
 std::string describe(const RandomScene& random) {
     const Settings& s = random.settings;

@@ -20,18 +20,6 @@ using namespace scanshade;
 
 namespace {
 
-constexpr const char* lit_ball = R"(
-[camera]
-position = [0.7, 0.9, 2.6]
-focal_point = [0, 0, 0]
-view_angle = 45
-[[light]]
-type = "point"
-position = [1.5, 2, 2]
-[[object]]
-shape = "sphere"
-tessellation = 3
-)";
 constexpr const char* torus = "[[light]]\ntype = \"directional\"\n[[object]]\nshape = \"torus\"\n";
 
 /// The same with another shape: a file that is read again keeps the camera.

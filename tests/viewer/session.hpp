@@ -17,6 +17,20 @@ namespace scanshade {
 inline const std::string viewer_program =
     std::filesystem::path(SCANSHADE_BINARY).parent_path() / "scanshade-view";
 
+// Quads seen from nearby, so that every choice of shading and interpolation shows.
+inline constexpr const char* lit_ball = R"(
+[camera]
+position = [0.7, 0.9, 2.6]
+focal_point = [0, 0, 0]
+view_angle = 45
+[[light]]
+type = "point"
+position = [1.5, 2, 2]
+[[object]]
+shape = "sphere"
+tessellation = 3
+)";
+
 template <class Condition>
 bool eventually(Condition condition) {
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(15);

@@ -21,20 +21,6 @@ using namespace scanshade;
 
 namespace {
 
-// Quads seen from nearby, so that every choice of shading and interpolation shows.
-constexpr const char* ball = R"(
-[camera]
-position = [0.7, 0.9, 2.6]
-focal_point = [0, 0, 0]
-view_angle = 45
-[[light]]
-type = "point"
-position = [1.5, 2, 2]
-[[object]]
-shape = "sphere"
-tessellation = 3
-)";
-
 std::vector<std::string> camera_options(const Camera& camera) {
     const auto words = [](const glm::dvec3& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); };
     return {"--camera-position", words(camera.position), "--camera-focal-point",
@@ -67,7 +53,7 @@ std::string started_without_display(const std::vector<std::string>& args, int ex
 
 TEST_CASE("keys choose what is drawn, and the window shows what render draws", "[viewer]") {
     if (!can_open_windows()) return;
-    Session session(ball, {"--resolution", "200,150"});
+    Session session(lit_ball, {"--resolution", "200,150"});
     std::vector<std::string> options{"--resolution", "200,150"};
     const auto render_with = [&](const std::string& name, std::string_view value) {
         std::vector<std::string> all = options;
@@ -107,7 +93,7 @@ TEST_CASE("keys choose what is drawn, and the window shows what render draws", "
 
 TEST_CASE("the mouse moves the camera, Enter brings it back", "[viewer]") {
     if (!can_open_windows()) return;
-    Session session(ball, {"--resolution", "200,150"});
+    Session session(lit_ball, {"--resolution", "200,150"});
     Settings settings;
     const Scene scene = load_scene(session.input(), settings);
     const Camera home = *scene.camera;
@@ -157,7 +143,7 @@ TEST_CASE("the mouse moves the camera, Enter brings it back", "[viewer]") {
 
 TEST_CASE("the picture follows the window, and F12 saves it", "[viewer]") {
     if (!can_open_windows()) return;
-    Session session(ball, {"--resolution", "200,150"});
+    Session session(lit_ball, {"--resolution", "200,150"});
     for (const auto& [width, height] : {std::pair{311, 187}, {90, 240}}) {
         session.xdotool(fmt::format("windowsize {} {} {}", session.window(), width, height));
         const Image expected =
@@ -182,7 +168,7 @@ TEST_CASE("the picture follows the window, and F12 saves it", "[viewer]") {
 
 TEST_CASE("a viewer left alone costs no processor time", "[viewer]") {
     if (!can_open_windows()) return;
-    Session session(ball, {"--resolution", "200,150"});
+    Session session(lit_ball, {"--resolution", "200,150"});
     REQUIRE(session.shows(rendered(session.input(), {"--resolution", "200,150"})));
     const long before = ticks(session.id());
     std::this_thread::sleep_for(std::chrono::milliseconds(400));
@@ -191,7 +177,7 @@ TEST_CASE("a viewer left alone costs no processor time", "[viewer]") {
 
 TEST_CASE("without a display the viewer says so and names the way out", "[viewer]") {
     const TempFolder folder;
-    const std::string scene = folder.write("ball.toml", ball);
+    const std::string scene = folder.write("ball.toml", lit_ball);
     const std::string said = started_without_display({scene}, 3);
     CAPTURE(said);
     CHECK(said.starts_with("scanshade-view: cannot open a window (no display"));
