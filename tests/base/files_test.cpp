@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <functional>
 
 #include "scanshade/base/error.hpp"
 #include "support/check_error.hpp"
