@@ -34,8 +34,12 @@ inline VecF to_float(VecI v) { return hn::ConvertTo(tag_f, v); }
 template <class Mask, class Tag>
 HWY_INLINE std::uint32_t mask_bits([[maybe_unused]] Tag tag, Mask mask) {
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
-    // That is what a mask is; Highway's way leads through memory.
-    return mask.raw;
+    // That is what a mask is; Highway's way leads through memory. By name, because GCC 12 widens the
+    // mask without an instruction and, short of registers, spills two bytes and reads back four.
+    static_assert(sizeof mask.raw == 2);
+    std::uint32_t bits;
+    asm("kmovw %1, %0" : "=r"(bits) : "k"(mask.raw));
+    return bits;
 #else
     static_assert(N <= 8);
     std::uint8_t bytes[8];
