@@ -143,9 +143,11 @@ private:
 
 template <class Model, Real R, class Watching = NoWitness>
 SpanEvents illuminate_span(const SurfaceSpan<Scalar<R>>& span, const Lighting<Scalar<R>>& lighting,
-                           const MaterialParams<Scalar<R>>& material,
+                           const MaterialParams<Scalar<R>>& of,
                            [[maybe_unused]] Watching witness = {}) {
     constexpr bool watched = !std::is_same_v<Watching, NoWitness>;
+    // A copy: what a branch reads through a reference would be computed again for every light.
+    const MaterialParams<Scalar<R>> material = of;
     SpanEvents events;
     for (std::size_t i = 0; i < span.count; i += RealTraits<R>::width) {
         const Vec3<R> P = load_vec3<R>(span.position, i);
@@ -165,17 +167,19 @@ SpanEvents illuminate_span(const SurfaceSpan<Scalar<R>>& span, const Lighting<Sc
         if constexpr (watched) witness.point(P, n, wo, albedo);
         if constexpr (watched) witness.unreflected(ambient, emission);
         for (const LightTerm<Scalar<R>>& light : lighting.lights) {
-            const Vec3<R> to_light = uniform_vec3<R>(light.position) - P * R(light.point_scale);
+            const Vec3<R> to_light =
+                mul_add(P, R(-light.point_scale), uniform_vec3<R>(light.position));
             const R distance2 = dot(to_light, to_light);
             const R inv_distance = inverse_length(distance2), distance = distance2 * inv_distance;
             const Vec3<R> wi = to_light * inv_distance;
             const Cosines<R> c = cosines(n, wi, wo);
             const R factor = select(c.n_i > R(0), arriving(light, wi, distance), R(0));
             const Rgb<R> f_cos = Model::f_cos(c, params);
-            const Rgb<R> term = light_term(factor, uniform_rgb<R>(light.irradiance), f_cos);
-            L = L + term;
+            const Rgb<R> irradiance = uniform_rgb<R>(light.irradiance);
+            L = light_term(factor, irradiance, f_cos, L);
             if constexpr (watched)
-                witness.light(light, wi, distance, factor, c, params, f_cos, term);
+                witness.light(light, wi, distance, factor, c, params, f_cos,
+                              light_term(factor, irradiance, f_cos));
             if (light.touches) events.light_at_surface += count_nearer<R>(span, i, distance, light);
         }
         if constexpr (watched) witness.sum(L);

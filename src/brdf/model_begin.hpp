@@ -29,7 +29,6 @@
 #include "scanshade/eq/microfacet.hpp"
 #include "scanshade/num/dual.hpp"
 #include "scanshade/num/interval.hpp"
-#include "scanshade/num/lanes.hpp"
-#include "scanshade/num/lanes_functions.hpp"
+#include "scanshade/num/lanes_pair.hpp"
 
 SCANSHADE_TARGET_BEGIN;

@@ -1,10 +1,19 @@
 // Closes a model file: makes its evaluators, its vector kernel and its row of the registry from
 // the class that the file defines.
 
-/// The vector kernel of this target.
+/// The vector kernel of this target: two vectors at once, then what is left.
 static SpanEvents illuminate_lanes(const SurfaceSpan<float>& span, const Lighting<float>& lighting,
                                    const MaterialParams<float>& material) {
-    return illuminate_span<SCANSHADE_MODEL, Lanes>(span, lighting, material);
+    constexpr std::size_t width = RealTraits<LanesPair>::width;
+    const std::size_t paired = span.count / width * width;
+    SpanEvents events;
+    if (paired > 0)
+        events += illuminate_span<SCANSHADE_MODEL, LanesPair>(part_of(span, 0, paired), lighting,
+                                                              material);
+    if (paired < span.count)
+        events += illuminate_span<SCANSHADE_MODEL, Lanes>(
+            part_of(span, paired, span.count - paired), lighting, material);
+    return events;
 }
 
 SCANSHADE_TARGET_END;

@@ -37,6 +37,7 @@ namespace {
 /// Random points, two point lights, a spot and a directional light.
 struct SpanCase {
     std::vector<float> position[3], normal[3], albedo[3];
+    static constexpr double untouched = -7;  // in the places behind the padding
     Lighting<double> lighting{};
     std::size_t count;
 
@@ -83,7 +84,7 @@ struct SpanCase {
             in[c].assign(position[c].begin(), position[c].end());
             in[3 + c].assign(normal[c].begin(), normal[c].end());
             in[6 + c].assign(albedo[c].begin(), albedo[c].end());
-            out[c].resize(padded(count));
+            out[c].resize(padded(count) + span_padding, T(untouched));
             span.position[c] = in[c].data();
             span.normal[c] = in[3 + c].data();
             span.albedo[c] = in[6 + c].data();
@@ -92,8 +93,11 @@ struct SpanCase {
         span.count = count;
         illuminate(span, lights, params);
         std::vector<T> all;
-        for (const auto& channel : out)
+        for (const auto& channel : out) {
             all.insert(all.end(), channel.begin(), channel.begin() + long(count));
+            CHECK(std::count(channel.begin() + long(padded(count)), channel.end(), T(untouched)) ==
+                  long(span_padding));
+        }
         return all;
     }
 };
@@ -130,7 +134,7 @@ TEST_CASE("every instruction set lights a span as double does", "[brdf][kernels]
             DYNAMIC_SECTION(brdf->name << " on " << isa) {
                 use_instruction_set(isa);
                 Rng rng(33);
-                for (const std::size_t count : {1u, 5u, 16u, 250u}) {
+                for (const std::size_t count : {1u, 5u, 16u, 48u, 250u}) {
                     const SpanCase span(count, rng);
                     const MaterialParams<double> p = random_params(*brdf, rng);
                     const auto f64 = span.run(brdf->illuminate_f64, span.lighting, p);

@@ -53,7 +53,7 @@ void check_sums(const PointReport<T>& point) {
                 continue;
             }
             CHECK(light.factor == light.f_att * light.emission);
-            CHECK(light.term[c] == light.irradiance[c] * light.f_cos[c] * light.factor);
+            CHECK(light.term[c] == light.irradiance[c] * light.factor * light.f_cos[c]);
             T bracket = 0;
             for (const NamedTerm<T>& part : light.bracket.parts) bracket += part.value[c];
             CHECK(nearly(bracket, T(pi) * light.f_cos[c], bracket, T(10)));

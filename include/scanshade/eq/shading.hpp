@@ -161,13 +161,15 @@ Rgb<R> ambient_term(const Rgb<R>& I_a, const Rgb<R>& k_a) {
 /// in      f_att    attenuation and emission          ≥ 0                 1
 ///         I_i      light, a channel; kernels pass the irradiance π I_i   radiance
 ///         bracket  reflected part; kernels pass f_r cosθ_i, which has the 1/π
-/// out     the term                                                       radiance
-/// error   ≤ 2 u
+///         sum      what the term is added to         ≥ 0                 radiance
+/// out     sum + the term                                                 radiance
+/// error   ≤ 2 u of the term, 1 u of the sum
 /// checks  C7 by hand, term by term; exponents 4 n and n   tests/eq/shading_test.cpp
 /// source  Phong 1975, Blinn 1977; the formula sheet
 template <Real R>
-Rgb<R> light_term(R f_att, const Rgb<R>& I_i, const Rgb<R>& bracket) {
-    return I_i * bracket * f_att;
+Rgb<R> light_term(R f_att, const Rgb<R>& I_i, const Rgb<R>& bracket,
+                  const Rgb<R>& sum = {R(0), R(0), R(0)}) {
+    return mul_add(I_i * f_att, bracket, sum);
 }
 
 SCANSHADE_TARGET_END;

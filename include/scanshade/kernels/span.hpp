@@ -29,6 +29,18 @@ struct SurfaceSpan {
     std::size_t count;
 };
 
+/// `count` of the points, from `first` on.
+template <class T>
+SurfaceSpan<T> part_of(SurfaceSpan<T> span, std::size_t first, std::size_t count) {
+    for (int c = 0; c < 3; ++c) {
+        span.position[c] += first, span.normal[c] += first, span.radiance[c] += first;
+        if (span.albedo[c] != nullptr) span.albedo[c] += first;
+    }
+    if (span.counted != nullptr) span.counted += first;
+    span.count = count;
+    return span;
+}
+
 /// How a light's intensity depends on the direction: one function of eq/ for each.
 enum class LightEmission : std::uint8_t { uniform, spot, cosine };
 
@@ -75,6 +87,8 @@ struct MaterialParams {
 /// What a kernel noticed.
 struct SpanEvents {
     std::uint64_t light_at_surface = 0;
+
+    void operator+=(const SpanEvents& more) { light_at_surface += more.light_at_surface; }
 };
 
 }  // namespace scanshade

@@ -77,10 +77,18 @@ inline Lanes inverse_sqrt(Lanes x) { return Lanes(1.0f) / sqrt(x); }
 inline Lanes reciprocal(Lanes x) { return Lanes(1.0f) / x; }
 #else
 // An estimate of 11.4 bits or better, and one step of Newton's method.
-inline Lanes inverse_sqrt(Lanes x) {
-    const Lanes y(hn::ApproximateReciprocalSqrt(x.v));
+inline Lanes refine_inverse_sqrt(Lanes x, Lanes y) {
     const Lanes half_xy = x * Lanes(0.5f) * y;
     return y * Lanes(hn::NegMulAdd(half_xy.v, y.v, Lanes(1.5f).v));
+}
+inline Lanes inverse_sqrt(Lanes x) {
+    return refine_inverse_sqrt(x, Lanes(hn::ApproximateReciprocalSqrt(x.v)));
+}
+// From the estimate 0 the step leads to 0.
+inline Lanes inverse_sqrt_above(Lanes x, float least) {
+    const auto above = (x > Lanes(least)).m;
+    return refine_inverse_sqrt(
+        x, Lanes(hn::IfThenElseZero(above, hn::ApproximateReciprocalSqrt(x.v))));
 }
 inline Lanes reciprocal(Lanes x) {
     // Outside of this range the estimate is 0 or infinite, and the step would give NaN.

@@ -69,6 +69,12 @@ template <ScalarReal R>
 R inverse_sqrt(R x) {
     return R(1) / std::sqrt(x);
 }
+/// 1/√x where x is above a normal number `least` ≥ 0, else 0. Error as inverse_sqrt.
+template <Real R>
+R inverse_sqrt_above(R x, Scalar<R> least) {
+    const auto above = x > R(least);
+    return select(above, inverse_sqrt(select(above, x, R(1))), R(0));
+}
 /// 1/x for x ≥ 0, as a number between 2^-100 and 2^100 where it is exact. Error ≤ 0.5 u; Lanes ≤ 2 u.
 template <ScalarReal R>
 R reciprocal(R x) {

@@ -41,6 +41,10 @@ template <Real R>
 Rgb<R> mul_add(const Rgb<R>& a, R s, const Rgb<R>& c) {
     return {mul_add(a.r, s, c.r), mul_add(a.g, s, c.g), mul_add(a.b, s, c.b)};
 }
+template <Real R>
+Rgb<R> mul_add(const Rgb<R>& a, const Rgb<R>& b, const Rgb<R>& c) {
+    return {mul_add(a.r, b.r, c.r), mul_add(a.g, b.g, c.g), mul_add(a.b, b.b, c.b)};
+}
 
 /// The same three numbers in every element.
 template <Real R>

@@ -36,6 +36,12 @@ Vec3<R> operator*(const Vec3<R>& a, R s) {
 }
 
 /// a·b. Error ≤ 3 u Σ|a_k b_k|.
+/// a s + c.
+template <Real R>
+Vec3<R> mul_add(const Vec3<R>& a, R s, const Vec3<R>& c) {
+    return {mul_add(a.x, s, c.x), mul_add(a.y, s, c.y), mul_add(a.z, s, c.z)};
+}
+
 template <Real R>
 R dot(const Vec3<R>& a, const Vec3<R>& b) {
     return mul_add(a.z, b.z, mul_add(a.y, b.y, a.x * b.x));
@@ -50,8 +56,7 @@ Vec3<R> cross(const Vec3<R>& a, const Vec3<R>& b) {
 /// has no direction.
 template <Real R>
 R inverse_length(R length2) {
-    const auto has_length = length2 > R(std::numeric_limits<Scalar<R>>::min());
-    return select(has_length, inverse_sqrt(select(has_length, length2, R(1))), R(0));
+    return inverse_sqrt_above(length2, std::numeric_limits<Scalar<R>>::min());
 }
 
 /// v/|v|, or the zero vector where |v|² underflows. Error ≤ 4 u a component (Lanes 6 u), for |v|²
