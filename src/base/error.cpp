@@ -9,8 +9,8 @@
 
 namespace scanshade {
 
-Error::Error(Errc code, std::string sentence)
-    : std::runtime_error(sentence), code_(code), text_(shortened(sentence)) {}
+Error::Error(Errc code, std::string_view sentence)
+    : std::runtime_error(std::string(sentence)), code_(code), text_(shortened(sentence)) {}
 
 Error& Error::at(std::string_view file, long line) {
     if (placed_) return *this;

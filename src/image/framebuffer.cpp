@@ -68,8 +68,8 @@ Framebuffer::Framebuffer(int w, int h) : width(w), height(h) {
 
 Image to_image(const PixelBuffer& pixels) {
     Image image(pixels.width, pixels.height);
-    for (std::size_t i = 0; i < pixels.rgba.size(); ++i)
-        std::memcpy(&image.rgb[3 * i], &pixels.rgba[i], 3);
+    for (std::size_t i = 0; i < pixels.rgba().size(); ++i)
+        std::memcpy(&image.rgb[3 * i], &pixels.rgba()[i], 3);
     return image;
 }
 
@@ -104,10 +104,11 @@ Image encode(const Framebuffer& frame, Transfer transfer, double exposure_ev) {
 }
 
 void encode(const Framebuffer& frame, Transfer transfer, double exposure_ev, PixelBuffer& into) {
-    into.rgba.assign(into.rgba.size(), 0xff000000u);
+    AlignedVector<std::uint32_t>& rgba = into.edit();
+    std::fill(rgba.begin(), rgba.end(), 0xff000000u);
     encode_with(frame, transfer, exposure_ev,
                 [&](std::size_t i, std::size_t channel, std::uint8_t byte) {
-                    into.rgba[i] |= std::uint32_t(byte) << (8 * channel);
+                    rgba[i] |= std::uint32_t(byte) << (8 * channel);
                 });
 }
 

@@ -69,7 +69,12 @@ void check_png(std::string_view bytes) {
         const std::string_view checked = bytes.substr(at + 4, 4 + length);
         require(crc32(checked) == numbers.big_endian(at + 8 + length, 4),
                 "the PNG file is damaged: a checksum is wrong");
-        if (checked.starts_with("IDAT")) data += length;
+        if (checked.starts_with("IDAT")) {
+            // stb copies into a place that it makes for the first byte.
+            require(length > 0 || data > 0,
+                    "the PNG file's data begin with an empty chunk; save it with another program");
+            data += length;
+        }
         require(data <= enough, "the PNG file has more data than its pixels can need");
         if (checked.starts_with("IEND")) return;
         at += frame + length;

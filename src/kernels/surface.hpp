@@ -78,7 +78,10 @@ void resolve_subtile(const ResolveView& view, int x, int y, int subtile, const T
 struct PictureView {
     int width, height;
     std::uint32_t* rgba;  // bytes r, g, b, 255
-    float *r, *g, *b;     // radiance is added
+    // For each subtile of the picture, rows from the top: rgba shows the background and nothing else.
+    // Kept by draw_background and whoever draws anything else; null: nobody asks.
+    std::uint8_t* blank;
+    float *r, *g, *b;  // radiance is added
     float* depth;
     std::uint32_t* id;
     float scale;  // 2^EV

@@ -73,14 +73,14 @@ std::vector<double> DebugPass::coverage() {
 DebugPicture DebugPass::draw(DebugView view) {
     if (view == DebugView::plan) return draw_plan();
     DebugPicture out{PixelBuffer(width(), height()), {}, {}};
+    AlignedVector<std::uint32_t>& rgba = out.pixels.edit();
     parallel_for(std::size_t(height()), 8, plan_.threads,
                  [&](std::size_t begin, std::size_t end, int) {
                      EventCounts ignored;
                      FaceValues<float> face(frame_, surfaces_, ignored);
                      for (std::size_t y = begin; y < end; ++y)
                          for (int x = 0; x < width(); ++x) {
-                             out.pixels.rgba[target_.index(x, int(y))] =
-                                 opaque(colour(view, face, x, int(y)));
+                             rgba[target_.index(x, int(y))] = opaque(colour(view, face, x, int(y)));
                          }
                  });
     return out;
@@ -149,6 +149,7 @@ DebugPicture DebugPass::draw_plan() {
     const Work cleared{{18, 18, 24}, "background: the tile is only cleared"};
     const Work beside{{60, 60, 72}, "background in a tile with surfaces"};
     DebugPicture out{PixelBuffer(width(), height()), {}, {}};
+    AlignedVector<std::uint32_t>& rgba = out.pixels.edit();
     std::map<std::string, Rgb8> seen;
     EventCounts ignored;
     FaceValues<float> face(frame_, surfaces_, ignored);
@@ -164,7 +165,7 @@ DebugPicture DebugPass::draw_plan() {
                 std::size_t(y / plan_.tile) * std::size_t(tiles_x) + std::size_t(x / plan_.tile);
             const Work& work = !nothing ? surface : empty[tile] ? cleared : beside;
             seen.emplace(work.meaning, work.colour);
-            out.pixels.rgba[at] = opaque(work.colour);
+            rgba[at] = opaque(work.colour);
         }
     for (const auto& [meaning, colour] : seen) out.legend.push_back({colour, meaning});
     return out;

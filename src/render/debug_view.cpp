@@ -51,8 +51,9 @@ DebugPicture in_false_colours(const std::vector<double>& values, const DebugScal
         if (!scale.logarithmic) return (v - scale.low) / (scale.high - scale.low);
         return std::log(v / scale.low) / std::log(scale.high / scale.low);
     };
+    AlignedVector<std::uint32_t>& rgba = out.pixels.edit();
     for (std::size_t i = 0; i < values.size(); ++i)
-        out.pixels.rgba[i] = opaque(values[i] < 0 ? Rgb8{0, 0, 0} : false_colour(place(values[i])));
+        rgba[i] = opaque(values[i] < 0 ? Rgb8{0, 0, 0} : false_colour(place(values[i])));
     return out;
 }
 
@@ -168,6 +169,7 @@ void draw_wireframe(const Scene& scene, const Framebuffer& frame, PixelBuffer& p
         const std::uint32_t id = frame.id[at];
         return id < face.size() ? face[id] : Framebuffer::no_triangle;
     };
+    AlignedVector<std::uint32_t>& rgba = pixels.edit();
     for (int y = 0; y < frame.height; ++y)
         for (int x = 0; x < frame.width; ++x) {
             const std::size_t at = frame.index(x, y);
@@ -175,7 +177,7 @@ void draw_wireframe(const Scene& scene, const Framebuffer& frame, PixelBuffer& p
                 (x + 1 < frame.width && face_at(at + 1) != face_at(at)) ||
                 (y + 1 < frame.height && face_at(at + std::size_t(frame.width)) != face_at(at));
             // A quarter of each channel.
-            if (edge) pixels.rgba[at] = ((pixels.rgba[at] >> 2) & 0x3f3f3fu) | 0xff000000u;
+            if (edge) rgba[at] = ((rgba[at] >> 2) & 0x3f3f3fu) | 0xff000000u;
         }
 }
 

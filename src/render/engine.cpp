@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/background.hpp"
 #include "render/engine_pass.hpp"
 #include "render/visibility.hpp"
 #include "scanshade/base/parallel.hpp"
@@ -248,28 +249,33 @@ void Engine::Pass::shade() {
 void Engine::Pass::draw_background() {
     std::size_t tiles = 0;
     for (std::size_t tile = 0; tile < tile_count(); ++tile) tiles += left_empty(tile);
+    std::vector<PlanSaving> unchanged(state_.workers.size());
     parallel_for(tile_count(), 16, frame_.plan.threads,
-                 [&](std::size_t begin, std::size_t end, int) {
+                 [&](std::size_t begin, std::size_t end, int w) {
                      for (std::size_t tile = begin; tile < end; ++tile)
                          if (left_empty(tile) || frame_.plan.triangles == 0)
-                             write_empty(int(tile % std::size_t(tiles_x_)) * tile_,
-                                         int(tile / std::size_t(tiles_x_)) * tile_);
+                             unchanged[std::size_t(w)] +=
+                                 write_empty(int(tile % std::size_t(tiles_x_)) * tile_,
+                                             int(tile / std::size_t(tiles_x_)) * tile_);
                      finish_writing();
                  });
     frame_.items += tiles;
+    for (const PlanSaving& saving : unchanged)
+        frame_.saved[PlanRow::unchanged_background] += saving;
     count(frame_.saved, PlanRow::empty_tiles, {tiles, tile_count()});
 }
 
-void Engine::Pass::write_empty(int x, int y) const {
+PlanSaving Engine::Pass::write_empty(int x, int y) const {
     const PictureView& picture = frame_.picture;
-    write_background(picture, x, y, tile_, tile_);
-    if (picture.id == nullptr || !frame_.first_sample) return;
+    const PlanSaving unchanged = scanshade::draw_background(picture, x, y, tile_);
+    if (picture.id == nullptr || !frame_.first_sample) return unchanged;
     for (int row = y; row < std::min(y + tile_, picture.height); ++row) {
         const std::size_t from = std::size_t(row) * std::size_t(picture.width) + std::size_t(x);
         const int columns = std::min(tile_, picture.width - x);
         std::fill_n(picture.depth + from, columns, 0.0f);
         std::fill_n(picture.id + from, columns, Framebuffer::no_triangle);
     }
+    return unchanged;
 }
 
 /// Records first: what they know of whole subtiles hides others.

@@ -69,7 +69,7 @@ private:
     template <class Draw>
     void each_tile(Draw&& draw);
     bool left_empty(std::size_t tile) const;
-    void write_empty(int x, int y) const;
+    PlanSaving write_empty(int x, int y) const;  // of unchanged_background
     void raster_tile(std::size_t number, int x, int y, TileBuffer& tile);
     void raster_record_in(const RecordList& list, std::uint32_t record, int x, int y,
                           TileBuffer& tile);

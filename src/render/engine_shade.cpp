@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "render/background.hpp"
 #include "render/light_reach.hpp"
 
 namespace scanshade {
@@ -43,20 +44,28 @@ std::uint64_t TileShader::shade(int x, int y, const TileBuffer& tile) {
     for (int s = 0; s < TileBuffer::subtiles; ++s) {
         if (!shading_.resolve.raster.has_subtile(s)) continue;
         const int sx = x + (s % 4) * subtile_side, sy = y + (s / 4) * subtile_side;
-        if (!tile.shows(s)) {
-            write_background(shading_.frame.picture, sx, sy, subtile_side, subtile_side);
-            continue;
+        if (sx >= shading_.frame.picture.width || sy >= shading_.frame.picture.height) continue;
+        if (find_surface(x, y, s, tile)) {
+            cover(shading_.frame.picture, sx, sy);
+            shade_subtile(x, y, s, tile);
+            seen += surface_.covered;
+        } else {
+            saved[PlanRow::unchanged_background] +=
+                draw_background(shading_.frame.picture, sx, sy, subtile_side);
         }
-        shade_subtile(x, y, s, tile);
-        seen += surface_.covered;
     }
     if (shading_.frame.picture.id != nullptr && shading_.frame.first_sample)
         write_visibility(x, y, tile);
     return seen;
 }
 
-void TileShader::shade_subtile(int x, int y, int subtile, const TileBuffer& tile) {
+bool TileShader::find_surface(int x, int y, int subtile, const TileBuffer& tile) {
+    if (!tile.shows(subtile)) return false;
     resolve_subtile(shading_.resolve, x, y, subtile, tile, surface_);
+    return surface_.covered > 0;
+}
+
+void TileShader::shade_subtile(int x, int y, int subtile, const TileBuffer& tile) {
     if (!surface_.open.empty()) fill_open(x, y, tile);
     if (shading_.frame.plan.texture) look_up_textures(x, y, tile);
     illuminate();

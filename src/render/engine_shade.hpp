@@ -43,6 +43,8 @@ private:
     void choose_lights(int x, int y, const TileBuffer& tile);
     void drop_tolerated(const TileSphere& sphere);
     const Lighting<float>& lighting_for(const ResolvedMaterial& material) const;
+    /// Fills surface_; false: the subtile shows nothing but the background.
+    bool find_surface(int x, int y, int subtile, const TileBuffer& tile);
     void shade_subtile(int x, int y, int subtile, const TileBuffer& tile);
     void fill_open(int x, int y, const TileBuffer& tile);
     void fill_values(const Surface::Open& open, SnappedPoint p);

@@ -91,6 +91,12 @@ std::string lookup_reason(const RenderPlan& plan) {
 bool always(const RenderPlan&) { return true; }
 std::string tiles_reason(const RenderPlan&) { return "tiles that no triangle touches"; }
 
+bool writes_bytes(const RenderPlan& plan) { return plan.samples_side == 1; }
+std::string unchanged_reason(const RenderPlan& plan) {
+    return writes_bytes(plan) ? std::string("blocks of 16 × 16 pixels are known to show it")
+                              : "samples of a pixel are added before they are bytes";
+}
+
 constexpr PlanRowInfo rows[] = {
     {PlanRow::clusters_outside, "clusters-outside", "clusters outside the view", "triangles",
      has_triangles, clusters_reason},
@@ -117,6 +123,8 @@ constexpr PlanRowInfo rows[] = {
      one_material, lookup_reason},
     {PlanRow::empty_tiles, "empty-tiles", "everything but the background", "tiles", always,
      tiles_reason},
+    {PlanRow::unchanged_background, "unchanged-background",
+     "background where the frame before left it", "blocks", writes_bytes, unchanged_reason},
 };
 static_assert(std::size(rows) == plan_row_count);
 

@@ -101,7 +101,12 @@ FrameStats Renderer::draw(PixelBuffer& pixels) {
         Frame frame(state_->scene, plan, none);
         frame.engine = state_->engine.get();
         frame.picture = picture_view(plan);
-        frame.picture.rgba = pixels.rgba.data();
+        const PixelBuffer::Blanks over = pixels.draw_over(frame.picture.background_rgba);
+        frame.picture.rgba = over.rgba;
+        if (plan.leaves_out(PlanRow::unchanged_background))
+            frame.picture.blank = over.blank;
+        else
+            pixels.edit();
         run_stages(frame, stats);
     } else {
         stats = draw(state_->planes);

@@ -28,7 +28,7 @@ public:
         use_instruction_set(isa_);
         drawing_ = make(input.scene, input.settings);
         drawing_.pixels(pixels_);
-        const std::uint64_t picture = pixels_.rgba.size() * sizeof(std::uint32_t);
+        const std::uint64_t picture = pixels_.rgba().size() * sizeof(std::uint32_t);
         const std::uint64_t after = held_bytes();
         memory = after > before + picture ? after - before - picture : 0;
     }

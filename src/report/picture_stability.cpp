@@ -79,7 +79,7 @@ RendererResult compare(const std::string& renderer, const DrawnPicture& drawn,
     for (std::size_t i = 0; i < a.id.size(); ++i) {
         result.other_id += a.id[i] != b.id[i] || std::bit_cast<std::uint32_t>(a.depth[i]) !=
                                                      std::bit_cast<std::uint32_t>(b.depth[i]);
-        const int levels = byte_difference(drawn.bytes.rgba[i], reference.bytes.rgba[i]);
+        const int levels = byte_difference(drawn.bytes.rgba()[i], reference.bytes.rgba()[i]);
         result.levels = std::max(result.levels, levels);
         result.differing += levels > 0;
         result.beyond += levels > 1;

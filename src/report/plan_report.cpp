@@ -49,7 +49,8 @@ public:
                                                         [&] { return other.pixels(pixels[1]); }};
         const FrameTable frames = time_interleaved(subjects, rounds_, stopped_);
         if (frames[0].empty()) return std::nullopt;
-        if (change.empty() && pixels[0].rgba != pixels[1].rgba) change = "encoded pixels differ";
+        if (change.empty() && pixels[0].rgba() != pixels[1].rgba())
+            change = "encoded pixels differ";
         const std::vector<double> with = frame_ms(frames[0]), others = frame_ms(frames[1]);
         PlanGain gain{times_of(with), times_of(others), paired_difference(others, with), 0};
         gain.share = gain.saved.median / gain.without.median;

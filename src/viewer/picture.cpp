@@ -54,11 +54,11 @@ void Picture::draw(const ViewState& state, bool moving) {
         shown_ = drawn_[0];
         const auto first = static_cast<std::ptrdiff_t>(
             std::clamp(std::lround(state.divider() * shown_.width), 0L, long{shown_.width}));
+        const auto from = drawn_[1].rgba().begin();
+        const auto to = shown_.edit().begin();
         for (int y = 0; y < shown_.height; ++y) {
             const auto row = std::ptrdiff_t{y} * shown_.width;
-            std::copy(drawn_[1].rgba.begin() + row + first,
-                      drawn_[1].rgba.begin() + row + shown_.width,
-                      shown_.rgba.begin() + row + first);
+            std::copy(from + row + first, from + row + shown_.width, to + row + first);
         }
     }
     const auto rests = [&](std::size_t number) {

@@ -108,7 +108,7 @@ void Window::upload(const PixelBuffer& picture) {
     if (!texture_ || SDL_LockTexture(texture_.get(), nullptr, &pixels, &pitch) != 0)
         fail("show the picture");
     for (int y = 0; y < picture.height; ++y) {
-        const std::uint32_t* from = &picture.rgba[std::size_t(y) * std::size_t(picture.width)];
+        const std::uint32_t* from = &picture.rgba()[std::size_t(y) * std::size_t(picture.width)];
         auto* to = reinterpret_cast<std::uint32_t*>(static_cast<std::uint8_t*>(pixels) + y * pitch);
         for (int x = 0; x < picture.width; ++x)
             to[x] = (from[x] & 0xff00ff00u) | (from[x] & 0xffu) << 16 | (from[x] >> 16 & 0xffu);

@@ -43,7 +43,7 @@ public:
     Picture picture(std::size_t way) override {
         draw(way);
         Picture picture;
-        picture.rgba.assign(pixels_.rgba.begin(), pixels_.rgba.end());
+        picture.rgba.assign(pixels_.rgba().begin(), pixels_.rgba().end());
         Framebuffer frame;
         renderer_->draw(frame);
         picture.id = frame.id;

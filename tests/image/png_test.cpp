@@ -170,6 +170,12 @@ TEST_CASE("a PNG file with a wrong bit is refused, wherever the bit is", "[image
     }
 }
 
+TEST_CASE("a PNG file whose data begin with an empty chunk is refused", "[image][png]") {
+    std::string png = tiny_png(2, 8, 0, "ab");
+    png.insert(png.find("IDAT") - 4, big_endian(0) + "IDAT" + big_endian(crc32("IDAT")));
+    check_error(Errc::format, "begin with an empty chunk", [&] { decode_image(png); });
+}
+
 TEST_CASE("a PNG file with far more data than pixels is not unpacked", "[image][png]") {
     CHECK(decode_image(tiny_png(2, 8, 0, "ab", std::string(4000, '\0'))).width == 2);
     check_error(Errc::format, "more data than its pixels",

@@ -21,7 +21,7 @@ Scene squares(const PixelCamera& camera) {
 }
 
 std::uint32_t pixel(const DebugPicture& p, int x, int y) {
-    return p.pixels.rgba[std::size_t(y) * std::size_t(p.pixels.width) + std::size_t(x)];
+    return p.pixels.rgba()[std::size_t(y) * std::size_t(p.pixels.width) + std::size_t(x)];
 }
 
 std::uint32_t packed(const Rgb8& c) {
@@ -66,7 +66,7 @@ TEST_CASE("normals point at the viewer as blue, and are a face's where shading i
     settings.shading = Shading::flat;
     const DebugPicture flat = draw_debug_view(lit_sphere(), settings, DebugView::normals);
     const auto colours = [](const DebugPicture& picture) {
-        return std::set(picture.pixels.rgba.begin(), picture.pixels.rgba.end()).size();
+        return std::set(picture.pixels.rgba().begin(), picture.pixels.rgba().end()).size();
     };
     CHECK(colours(flat) < colours(smooth) / 2);
 }
@@ -96,7 +96,7 @@ TEST_CASE("every debug view draws every interpolation and shading", "[debug-view
                 CAPTURE(view, int(shading), int(interpolation));
                 const DebugPicture p = draw_debug_view(lit_sphere(), settings, DebugView(view));
                 CHECK(p.pixels.width == 80);
-                CHECK(std::set(p.pixels.rgba.begin(), p.pixels.rgba.end()).size() > 1);
+                CHECK(std::set(p.pixels.rgba().begin(), p.pixels.rgba().end()).size() > 1);
                 CHECK(p.legend.empty() == (DebugView(view) != DebugView::plan));
             }
 }
@@ -121,9 +121,9 @@ TEST_CASE("the wireframe marks where faces meet", "[debug-view]") {
     Framebuffer frame;
     Renderer(scene, camera.settings()).draw(frame);
     PixelBuffer pixels(40, 30);
-    std::fill(pixels.rgba.begin(), pixels.rgba.end(), 0xffffffffu);
+    std::fill(pixels.edit().begin(), pixels.edit().end(), 0xffffffffu);
     draw_wireframe(scene, frame, pixels);
-    const auto dark = [&](int x, int y) { return pixels.rgba[frame.index(x, y)] == 0xff3f3f3fu; };
+    const auto dark = [&](int x, int y) { return pixels.rgba()[frame.index(x, y)] == 0xff3f3f3fu; };
     CHECK(dark(19, 15));
     CHECK(dark(29, 15));
     CHECK(dark(9, 15));

@@ -45,7 +45,7 @@ TEST_CASE("bytes written at once are those of the float picture", "[engine][isa]
                 Renderer(picture.scene, settings).draw(pixels);
                 encode(draw(picture.scene, settings).frame, transfer, settings.exposure_ev,
                        expected);
-                CHECK(pixels.rgba == expected.rgba);
+                CHECK(pixels.rgba() == expected.rgba());
             }
 }
 

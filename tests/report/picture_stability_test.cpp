@@ -198,7 +198,7 @@ TEST_CASE("a broken picture is found, with its case and renderer", "[report][sta
         {[](Framebuffer& f, PixelBuffer&) { f.id[5000] ^= 1; }, "another triangle or depth"},
         {[](Framebuffer& f, PixelBuffer&) { f.depth[5000] = std::nextafter(f.depth[5000], 1.0f); },
          "another triangle or depth"},
-        {[](Framebuffer&, PixelBuffer& p) { p.rgba[5000] ^= 0x80; },
+        {[](Framebuffer&, PixelBuffer& p) { p.edit()[5000] ^= 0x80; },
          "largest difference in levels"},
     };
     for (const auto& row : rows) {

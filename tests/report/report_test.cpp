@@ -97,7 +97,7 @@ TEST_CASE("a row that changes one bit of the picture is found and named", "[repo
          "1 of 4800 pixels differ in green, first (3, 7)"},
         {[](PixelBuffer&, Framebuffer& f) { f.depth[f.index(0, 1)] += 1e-30f; }, "in depth"},
         {[](PixelBuffer&, Framebuffer& f) { f.id.back() ^= 1; }, "in triangle, first (79, 59)"},
-        {[](PixelBuffer& p, Framebuffer&) { p.rgba[5] ^= 1; }, "encoded pixels differ"},
+        {[](PixelBuffer& p, Framebuffer&) { p.edit()[5] ^= 1; }, "encoded pixels differ"},
     };
     for (const auto& row : rows) {
         const PlanReport report =

@@ -18,7 +18,7 @@ inline Settings keeping(const Settings& settings, PlanRow row, bool all_others) 
 }
 
 /// The first difference in bits between a picture without a plan and those with it: whole, without
-/// one row, with one row alone. "" if there is none. Adds to `saved` what the rows saved.
+/// one row, with one row alone; and as bytes, in its second frame. "" if there is none. Adds to `saved` what the rows saved.
 inline std::string plan_difference(const Scene& scene, const Settings& settings,
                                    PlanSavings& saved) {
     Settings without = settings;
@@ -40,6 +40,13 @@ inline std::string plan_difference(const Scene& scene, const Settings& settings,
         if (found.empty())
             found = compare(draw(scene, keeping(settings, info.row, true)), name + " alone");
     }
+    // Bytes, over those of the frame before.
+    Renderer renderer(scene, settings);
+    PixelBuffer bytes, expected(settings.width, settings.height);
+    renderer.draw(bytes);
+    saved += renderer.draw(bytes).saved;
+    encode(all, settings.transfer, settings.exposure_ev, expected);
+    if (found.empty() && bytes.rgba() != expected.rgba()) found = "the plan: the bytes differ";
     return found;
 }
 

@@ -14,7 +14,7 @@ enum class Errc { usage = 2, file = 3, format = 4, scene = 5 };
 /// and what would be right. It is thrown at the edges (files, options) and caught in main.
 class Error : public std::runtime_error {
 public:
-    Error(Errc code, std::string sentence);
+    Error(Errc code, std::string_view sentence);
 
     /// Adds the place as "file:line: " while the exception travels up. The first place given
     /// stays: an outer caller that adds a place of its own changes nothing.

@@ -1,6 +1,7 @@
 // What a renderer draws into.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -29,11 +30,43 @@ struct Framebuffer {
 
 /// A picture as windows take it: bytes r, g, b, 255 in this order in memory, rows from the top.
 struct PixelBuffer {
+    static constexpr int block_side = 16;
+
     int width = 0, height = 0;
-    AlignedVector<std::uint32_t> rgba;  // [y·width + x]
 
     PixelBuffer() = default;
-    PixelBuffer(int w, int h) : width(w), height(h), rgba(std::size_t(w) * std::size_t(h)) {}
+    PixelBuffer(int w, int h)
+        : width(w), height(h), rgba_(std::size_t(w) * std::size_t(h)), blank_(block_count()) {}
+
+    int block_columns() const { return (width + block_side - 1) / block_side; }
+    std::size_t block_count() const {
+        const int rows = (height + block_side - 1) / block_side;
+        return std::size_t(block_columns()) * std::size_t(rows);
+    }
+
+    const AlignedVector<std::uint32_t>& rgba() const { return rgba_; }  // [y·width + x]
+    /// To be written to until the next draw: nothing is known of the pixels any more.
+    AlignedVector<std::uint32_t>& edit() {
+        std::fill(blank_.begin(), blank_.end(), std::uint8_t{0});
+        return rgba_;
+    }
+
+    /// For renderers: the pixels, and for each block of block_side² of them, rows from the top,
+    /// whether it shows the background and nothing else. Who draws keeps that true.
+    struct Blanks {
+        std::uint32_t* rgba;
+        std::uint8_t* blank;
+    };
+    Blanks draw_over(std::uint32_t background) {
+        if (background != background_) edit();
+        background_ = background;
+        return {rgba_.data(), blank_.data()};
+    }
+
+private:
+    AlignedVector<std::uint32_t> rgba_;
+    std::vector<std::uint8_t> blank_;
+    std::uint32_t background_ = 0;
 };
 
 Image to_image(const PixelBuffer& pixels);

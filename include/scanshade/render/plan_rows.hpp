@@ -25,6 +25,7 @@ enum class PlanRow {
     specular,
     material_lookup,
     empty_tiles,
+    unchanged_background,
     count_
 };
 
