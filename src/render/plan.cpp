@@ -45,6 +45,7 @@ void plan_objects(const Scene& scene, const Settings& settings, RenderPlan& plan
                 shading == Shading::flat ? object.mesh->face_count() : object.mesh->vertex_count();
         plan.face_light |= drawn && shading == Shading::flat;
         plan.vertex_light |= drawn && shading == Shading::gouraud;
+        plan.sample_light |= drawn && shading == Shading::phong;
     }
     if (plan.triangles >= no_index)
         throw Error(Errc::scene, fmt::format("the scene has {} triangles; at most {} can be drawn",
@@ -65,7 +66,7 @@ void plan_materials(const Scene& scene, const Settings& settings, RenderPlan& pl
         plan.unlit_materials += material.unlit;
         plan.textured_materials += scene.materials[i].map_kd != nullptr;
         plan.matt_materials += is_matt(material);
-        plan.position_read |= !material.unlit && !material.brdf->ignores_view;
+        plan.position_read |= plan.sample_light && !material.unlit && !material.brdf->ignores_view;
     }
     plan.texture = plan.textured_materials > 0;
 }
@@ -78,7 +79,7 @@ void plan_lights(const Scene& scene, RenderPlan& plan) {
         plan.dark_lights += light.intensity == glm::dvec3(0);
         plan.narrow_lights += light.kind == LightKind::spot || light.kind == LightKind::cosine;
         plan.constant_lights += !placed || (light.attenuation.y == 0 && light.attenuation.z == 0);
-        plan.position_read |= placed;
+        plan.position_read |= plan.sample_light && placed;
     }
 }
 

@@ -32,6 +32,7 @@ std::string normals_reason(const RenderPlan& plan) {
 
 bool positions_unread(const RenderPlan& plan) { return !plan.position_read; }
 std::string positions_reason(const RenderPlan& plan) {
+    if (!plan.sample_light) return "light is evaluated at vertices and faces";
     return plan.position_read ? "a light or a highlight depends on them"
                               : "no light has a place and no material a highlight";
 }

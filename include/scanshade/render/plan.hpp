@@ -47,6 +47,7 @@ struct RenderPlan {
     std::uint64_t points = 0;     // vertices of gouraud objects, faces of flat ones
     bool vertex_light = false;    // some object is gouraud
     bool face_light = false;      // some object is flat
+    bool sample_light = false;    // some object is phong
     bool texture = false;         // some material in use has a texture
     std::size_t light_count = 0;  // 0 where no material in use is lit
     std::size_t used_materials = 0, unlit_materials = 0, textured_materials = 0;
@@ -54,7 +55,7 @@ struct RenderPlan {
     std::size_t dark_lights = 0;      // of no intensity
     std::size_t narrow_lights = 0;    // spot and cosine lights
     std::size_t constant_lights = 0;  // attenuation does not depend on the distance
-    bool position_read = false;       // some light or model depends on where a sample is
+    bool position_read = false;       // light at samples depends on where they are
 
     /// What is left out, by PlanRow: it applies, and was not asked for.
     std::bitset<plan_row_count> rows;
