@@ -156,7 +156,7 @@ public:
         last_.assign(tiles, none);
         chunks_.clear();
     }
-    void push(std::size_t tile, std::uint32_t ref) {
+    [[gnu::always_inline]] void push(std::size_t tile, std::uint32_t ref) {
         std::uint32_t at = last_[tile];
         if (at == none || chunks_[at].count == Chunk::capacity) at = append(tile);
         Chunk& chunk = chunks_[at];
@@ -178,7 +178,7 @@ private:
         std::uint32_t next = none, count = 0;
         std::array<std::uint32_t, capacity> ref;
     };
-    std::uint32_t append(std::size_t tile) {
+    [[gnu::noinline]] std::uint32_t append(std::size_t tile) {
         const auto fresh = std::uint32_t(chunks_.size());
         chunks_.emplace_back();
         (last_[tile] == none ? first_[tile] : chunks_[last_[tile]].next) = fresh;

@@ -75,13 +75,16 @@ private:
     const float* at_;
 };
 
+/// Blocks from a tile to an origin, which lies on their grid; negative in another tile.
+inline int blocks_from(int tile, int origin) { return (origin - tile) >> 2; }
+
 inline void draw_tiny(const RasterView& view, int x, int y, const std::uint32_t* refs,
                       std::uint32_t count, TileBuffer& tile) {
     write_all(view, x, y, tile);
     for (std::uint32_t i = 0; i < count; ++i) {
         const BatchTriangle t(*view.batches, refs[i]);
         t.draw(view, 0, 0, refs[i],
-               block_at((t.origin_x() - x) / block_side, (t.origin_y() - y) / block_side), tile);
+               block_at(blocks_from(x, t.origin_x()), blocks_from(y, t.origin_y())), tile);
     }
 }
 
@@ -90,7 +93,7 @@ inline void draw_small(const RasterView& view, int x, int y, const std::uint32_t
     write_all(view, x, y, tile);
     for (std::uint32_t i = 0; i < count; ++i) {
         const BatchTriangle t(*view.batches, refs[i]);
-        const int at = block_at((t.origin_x() - x) / block_side, (t.origin_y() - y) / block_side);
+        const int at = block_at(blocks_from(x, t.origin_x()), blocks_from(y, t.origin_y()));
         // What lies beyond the tile's edge is in no triangle of this list.
         t.draw_four(view, refs[i], at, tile);
     }
@@ -107,7 +110,7 @@ public:
     HWY_INLINE void add(std::uint32_t i) {
         const BatchTriangle t(*view_.batches, refs_[i]);
         const std::uint32_t extent = t.extent();
-        const int column = (t.origin_x() - x_) / block_side, row = (t.origin_y() - y_) / block_side;
+        const int column = blocks_from(x_, t.origin_x()), row = blocks_from(y_, t.origin_y());
         const int last = view_.tile / block_side - 1;  // of the tile
         const int last_column = std::min(column + int(extent & 0xffff), last);
         const int last_row = std::min(row + int(extent >> 16), last);
@@ -123,8 +126,8 @@ public:
             const int block = int(item & (tile_blocks - 1));
             const BatchTriangle t(*view_.batches, ref);
             const int column = block % tile_block_columns, row = block / tile_block_columns;
-            const float X = float(column * block_side + x_ - t.origin_x());
-            const float Y = float(row * block_side + y_ - t.origin_y());
+            const float X = float(column * block_side + x_) - t.row(row_origin_x);
+            const float Y = float(row * block_side + y_) - t.row(row_origin_y);
             t.draw(view_, X, Y, ref, block * block_samples, tile_);
         }
         count_ = 0;
@@ -146,9 +149,13 @@ private:
             VecF least = hn::Set(tag_f, 1e9f);
             for (int k = 0; k < 3; ++k) {
                 // The largest value in a block is at the corner that the gradient points to.
-                const float reach = 3 * (std::max(t.row(row_edges + k), 0.0f) +
-                                         std::max(t.row(row_edges + 3 + k), 0.0f));
-                least = hn::Min(least, hn::Add(t.edge(k, X, Y), hn::Set(tag_f, reach)));
+                const float A = t.row(row_edges + k), B = t.row(row_edges + 3 + k);
+                const float at_corner =
+                    t.row(row_edges + 6 + k) + 3 * (std::max(A, 0.0f) + std::max(B, 0.0f));
+                const VecF value =
+                    hn::MulAdd(hn::Set(tag_f, A), X,
+                               hn::MulAdd(hn::Set(tag_f, B), Y, hn::Set(tag_f, at_corner)));
+                least = hn::Min(least, value);
             }
             const MaskF in_box = hn::And(hn::Le(c, hn::Set(tag_f, float(last_column - column))),
                                          hn::Le(r, hn::Set(tag_f, float(last_row - row))));

@@ -37,7 +37,7 @@ public:
     }
 
 private:
-    void resolve_vector(int column, int row, int v) {
+    HWY_INLINE void resolve_vector(int column, int row, int v) {
         const int at = tile_index(column, row) + v * N;
         const VecI ref = hn::Load(tag_i, as_int(tile_.ref + at));
         const MaskI covered = hn::Ne(ref, hn::Set(tag_i, std::int32_t(no_ref)));

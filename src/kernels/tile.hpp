@@ -16,9 +16,10 @@ inline constexpr int tile_samples = tile_side * tile_side;
 inline constexpr int tile_blocks = tile_samples / block_samples;
 
 /// Index of a tile's sample: blocks row by row, samples of a block row by row.
-constexpr int tile_index(int x, int y) {
-    return ((y / block_side) * (tile_side / block_side) + x / block_side) * block_samples +
-           (y % block_side) * block_side + x % block_side;
+constexpr int tile_index(int column, int row) {
+    constexpr unsigned side = block_side, columns = tile_side / block_side, block = block_samples;
+    const auto x = unsigned(column), y = unsigned(row);
+    return int((y / side * columns + x / side) * block + y % side * side + x % side);
 }
 
 /// A triangle or polygon that set-up left to the driver: too large for small numbers, a needle,
