@@ -25,6 +25,11 @@ inline void draw_block(const RasterView& view, std::uint32_t record, int x, int 
     }
 }
 
+/// Edge function k of a record at a sample; exact.
+inline std::int64_t edge_value(const Record& r, int k, int x, int y) {
+    return r.edge_c[k] + r.edge_x[k] * (x - r.origin_x) + r.edge_y[k] * (y - r.origin_y);
+}
+
 /// The covered samples of a block by exact edge functions. Far from an edge its value is limited:
 /// within a block it changes by less than 2^28.
 class BlockEdges {
@@ -40,7 +45,8 @@ public:
         std::uint32_t bits = 0;
         VecI start[4];
         for (int k = 0; k < record_.edge_count; ++k)
-            start[k] = hn::Set(tag_i, std::int32_t(std::clamp(value(k, x, y), -limit, limit)));
+            start[k] = hn::Set(
+                tag_i, std::int32_t(std::clamp(edge_value(record_, k, x, y), -limit, limit)));
         for (int v = 0; v < block_vectors; ++v) {
             VecI least = hn::Add(start[0], hn::Load(tag_i, step_[0] + v * N));
             for (int k = 1; k < record_.edge_count; ++k)
@@ -48,10 +54,6 @@ public:
             bits |= mask_bits(tag_i, hn::Gt(least, hn::Set(tag_i, -1))) << (v * N);
         }
         return bits;
-    }
-    std::int64_t value(int k, int x, int y) const {
-        return record_.edge_c[k] + record_.edge_x[k] * (x - record_.origin_x) +
-               record_.edge_y[k] * (y - record_.origin_y);
     }
 
 private:
@@ -61,11 +63,11 @@ private:
 
 /// How a record meets the square of `side` samples at (x, y).
 enum class Meets { no, partly, fully };
-Meets meets(const Record& r, const BlockEdges& edges, int x, int y, int side) {
+inline Meets meets(const Record& r, int x, int y, int side) {
     bool fully = true;
     for (int k = 0; k < r.edge_count; ++k) {
         const std::int64_t reach = side - 1;
-        const std::int64_t here = edges.value(k, x, y);
+        const std::int64_t here = edge_value(r, k, x, y);
         const std::int64_t zero = 0;
         const std::int64_t most =
             here + reach * (std::max(r.edge_x[k], zero) + std::max(r.edge_y[k], zero));
@@ -82,7 +84,7 @@ Meets meets(const Record& r, const BlockEdges& edges, int x, int y, int side) {
 struct DepthBounds {
     float nearest, farthest;
 };
-DepthBounds depth_bounds(const Record& r, int x, int y, int side) {
+inline DepthBounds depth_bounds(const Record& r, int x, int y, int side) {
     if (r.depth != Record::Depth::plane) return {r.nearest, r.farthest};
     const float* depth = r.rows + row_depth;
     const ScreenPlane<float> plane = {depth[0], depth[1], depth[2]};
@@ -92,14 +94,25 @@ DepthBounds depth_bounds(const Record& r, int x, int y, int side) {
     return {plane_value(plane, X[px], Y[py]), plane_value(plane, X[1 - px], Y[1 - py])};
 }
 
+/// The farthest depth in a written subtile; 0 if a sample is empty. Two halves of a rectangle together
+/// hide what is behind them.
+inline float farthest_sample(const TileBuffer& tile, int subtile) {
+    VecF least = hn::Set(tag_f, 1e30f);
+    for (int block = 0; block < 16; ++block)
+        for (int v = 0; v < block_vectors; ++v)
+            least =
+                hn::Min(least, hn::Load(tag_f, tile.depth + subtile_block(subtile, block) + v * N));
+    return hn::GetLane(hn::MinOfLanes(tag_f, least));
+}
+
 /// `whole`: the record covers all of the tile.
-inline void draw_subtile(const RasterView& view, std::uint32_t record, const BlockEdges& edges,
-                         bool whole, int tile_x, int tile_y, int subtile, TileBuffer& tile) {
+inline void draw_subtile(const RasterView& view, std::uint32_t record, bool whole, int tile_x,
+                         int tile_y, int subtile, TileBuffer& tile) {
     const Record& r = view.records[record];
     const int x = tile_x + (subtile % 4) * subtile_side, y = tile_y + (subtile / 4) * subtile_side;
     const DepthBounds bounds = depth_bounds(r, x, y, subtile_side);
     if (bounds.nearest < tile.farthest[subtile]) return;  // hidden by what covers the subtile
-    const Meets meeting = whole ? Meets::fully : meets(r, edges, x, y, subtile_side);
+    const Meets meeting = whole ? Meets::fully : meets(r, x, y, subtile_side);
     if (meeting == Meets::no) return;
     if (meeting == Meets::fully && bounds.farthest > tile.nearest[subtile]) {
         tile.owner[subtile] = record | record_bit;
@@ -109,6 +122,7 @@ inline void draw_subtile(const RasterView& view, std::uint32_t record, const Blo
         return;
     }
     write_subtile(view, tile_x, tile_y, subtile, tile);
+    const BlockEdges edges(r);
     for (int block = 0; block < 16; ++block) {
         const int bx = x + (block % 4) * block_side, by = y + (block / 4) * block_side;
         const std::uint32_t covered = meeting == Meets::fully ? 0xffffu : edges.covered(bx, by);
@@ -118,20 +132,27 @@ inline void draw_subtile(const RasterView& view, std::uint32_t record, const Blo
     tile.nearest[subtile] = std::max(tile.nearest[subtile], bounds.nearest);
     if (meeting == Meets::fully)
         tile.farthest[subtile] = std::max(tile.farthest[subtile], bounds.farthest);
+    else
+        tile.farthest[subtile] = farthest_sample(tile, subtile);
+}
+
+/// What is behind this is hidden in the whole tile.
+inline float farthest_of(const TileBuffer& tile) {
+    VecF least = hn::LoadU(tag_f, tile.farthest);
+    for (int s = N; s < TileBuffer::subtiles; s += N)
+        least = hn::Min(least, hn::LoadU(tag_f, tile.farthest + s));
+    return hn::GetLane(hn::MinOfLanes(tag_f, least));
 }
 
 inline void draw_record(const RasterView& view, int x, int y, std::uint32_t record,
                         TileBuffer& tile) {
     const Record& r = view.records[record];
     // A layer behind all that the tile shows ends here.
-    const float farthest = *std::min_element(tile.farthest, tile.farthest + TileBuffer::subtiles);
-    if (depth_bounds(r, x, y, view.tile).nearest < farthest) return;
-    const BlockEdges edges(r);
-    const Meets meeting = meets(r, edges, x, y, view.tile);
+    if (depth_bounds(r, x, y, view.tile).nearest < farthest_of(tile)) return;
+    const Meets meeting = meets(r, x, y, view.tile);
     if (meeting == Meets::no) return;
     for (int s = 0; s < TileBuffer::subtiles; ++s)
-        if (view.has_subtile(s))
-            draw_subtile(view, record, edges, meeting == Meets::fully, x, y, s, tile);
+        if (view.has_subtile(s)) draw_subtile(view, record, meeting == Meets::fully, x, y, s, tile);
 }
 
 inline void draw_rows(const RasterView& view, int x, int y, std::uint32_t record,

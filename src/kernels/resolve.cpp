@@ -323,22 +323,23 @@ private:
         }
     }
 
-    void note_zero_normals(const Samples& s, const VecF (&n)[3], MaskF mask) {
+    HWY_INLINE void note_zero_normals(const Samples& s, const VecF (&n)[3], MaskF mask) {
         const VecF n2 = hn::MulAdd(n[0], n[0], hn::MulAdd(n[1], n[1], hn::Mul(n[2], n[2])));
         const VecF least = hn::Mul(hn::Set(tag_f, shortest_normal2), hn::Mul(s.z, s.z));
         const MaskF zero = hn::AndNot(hn::Gt(n2, least), mask);
-        if (hn::AllFalse(tag_f, zero)) return;
-        for_each_lane(mask_bits(tag_f, zero), [&](std::uint32_t lane) {
-            out_.open.push_back({s.number * std::uint32_t(N) + lane, ref_at(s, lane), true});
-        });
+        if (!hn::AllFalse(tag_f, zero)) open_lanes(s, mask_bits(tag_f, zero), true);
     }
 
     void leave_open(const Samples& s, std::uint32_t lanes, std::uint32_t material,
                     Shading shading) {
-        for_each_lane(lanes, [&](std::uint32_t lane) {
-            out_.open.push_back({s.number * std::uint32_t(N) + lane, ref_at(s, lane), false});
-        });
+        open_lanes(s, lanes, false);
         add_part(s.number, lanes, material, shading);
+    }
+
+    HWY_NOINLINE void open_lanes(const Samples& s, std::uint32_t lanes, bool zero_normal) {
+        for_each_lane(lanes, [&](std::uint32_t lane) {
+            out_.open.push_back({s.number * std::uint32_t(N) + lane, ref_at(s, lane), zero_normal});
+        });
     }
 
     std::uint32_t ref_at(const Samples& s, std::uint32_t lane) const {

@@ -168,10 +168,10 @@ void Engine::Pass::leave_out_polygons() {
 }
 
 void Engine::Pass::make_records(EngineWorker& worker) {
-    RecordMaker maker(frame_, shading_.surfaces, tile_, tiles_x_, setup_, worker.records,
-                      worker.events);
+    RecordMaker maker(frame_, shading_.surfaces, setup_, worker.records, worker.events);
     for (const SpecialFace& special : worker.setup.special)
         maker.add(special.object, special.triangle);
+    list_records(tile_, tiles_x_, worker.records);
 }
 
 // ---- tiles

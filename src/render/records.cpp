@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 
 #include "render/shade_common.hpp"
 #include "render/visibility.hpp"
@@ -60,7 +62,7 @@ void RecordMaker::add_drawn() {
     describe_depth(r);
     r.scalar = falls_back_ || r.depth == Record::Depth::scalar;
     if (r.depth != Record::Depth::scalar) describe_values(r);
-    put_into_tiles(r);
+    into_.records.push_back(r);
 }
 
 /// Edge functions turned so that they are ≥ 0 inside, with the top-left rule in the constant.
@@ -117,12 +119,12 @@ void RecordMaker::describe_depth(Record& r) const {
         r.affine = r.affine && !frame_.view.orthographic && (face_.outside & out_depth) == 0;
         return;
     }
-    r.depth = face_.planar ? Record::Depth::plane : Record::Depth::weights;
-    if (face_.planar) return describe_planes(r);
     // Each of the three terms and the two sums may round once.
     const auto [low, high] = std::minmax_element(r.corner_depth, r.corner_depth + 3);
     r.nearest = *high * (1 + 0x1p-20f);
     r.farthest = *low * (1 - 0x1p-20f);
+    r.depth = face_.planar ? Record::Depth::plane : Record::Depth::weights;
+    if (face_.planar) describe_planes(r);
 }
 
 /// What set-up gives a quadrilateral of a batch.
@@ -215,12 +217,21 @@ void RecordMaker::describe_corners(Record& r) const {
         for (int k = 0; k < i; ++k) r.normals_disagree |= !(glm::dot(normal[i], normal[k]) > 0.1f);
 }
 
-void RecordMaker::put_into_tiles(const Record& r) {
-    const auto number = static_cast<std::uint32_t>(into_.records.size());
-    into_.records.push_back(r);
-    for (int ty = r.y0 / tile_; ty <= r.y1 / tile_; ++ty)
-        for (int tx = r.x0 / tile_; tx <= r.x1 / tile_; ++tx)
-            into_.lists.push(static_cast<std::size_t>(ty * tiles_x_ + tx), number);
+void list_records(int tile, int tiles_x, RecordList& into) {
+    // Those that no bound is known of come last.
+    const auto key = [&](std::uint32_t number) {
+        const float nearest = into.records[number].nearest;
+        return std::isinf(nearest) ? 0 : nearest;
+    };
+    std::vector<std::uint32_t> order(into.records.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::ranges::stable_sort(order, std::greater(), key);
+    for (const std::uint32_t number : order) {
+        const Record& r = into.records[number];
+        for (int ty = r.y0 / tile; ty <= r.y1 / tile; ++ty)
+            for (int tx = r.x0 / tile; tx <= r.x1 / tile; ++tx)
+                into.lists.push(static_cast<std::size_t>(ty * tiles_x + tx), number);
+    }
 }
 
 }  // namespace scanshade

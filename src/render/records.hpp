@@ -28,16 +28,17 @@ public:
 /// The plane of Σ a_i · weight_i of a planar record into its rows from `row` on.
 void set_plane(Record& record, int row, float a0, float a1, float a2);
 
+/// Puts the records into the lists of the tiles that they may touch, of `tile` × `tile` samples, tiles_x
+/// in a row. The nearest first: they hide others, which then cost little. Their order changes no bit.
+void list_records(int tile, int tiles_x, RecordList& into);
+
 /// Turns faces into records.
 class RecordMaker {
 public:
-    /// Tiles of `tile` × `tile` samples, tiles_x of them in a row.
-    RecordMaker(const Frame& frame, const std::vector<ObjectSurface>& surfaces, int tile,
-                int tiles_x, const SetupView& setup, RecordList& into, EventCounts& events)
+    RecordMaker(const Frame& frame, const std::vector<ObjectSurface>& surfaces,
+                const SetupView& setup, RecordList& into, EventCounts& events)
         : frame_(frame),
           surfaces_(surfaces),
-          tile_(tile),
-          tiles_x_(tiles_x),
           attributes_(setup.attributes),
           quad_attributes_(setup.quad_attributes),
           into_(into),
@@ -55,11 +56,9 @@ private:
     void describe_quad(Record& r) const;
     void describe_values(Record& r) const;
     void describe_corners(Record& r) const;
-    void put_into_tiles(const Record& r);
 
     const Frame& frame_;
     const std::vector<ObjectSurface>& surfaces_;
-    const int tile_, tiles_x_;
     const Attributes &attributes_, &quad_attributes_;
     RecordList& into_;
     EventCounts& events_;
