@@ -59,7 +59,7 @@ PictureCorner picture_corner(const View& view, const VertexState& vertex) {
     if (vertex.outcode == 0) return {double(vertex.point.x), double(vertex.point.y)};
     const ClipVertex& c = vertex.clip;
     const auto to_grid = [&](float x, int size) {
-        return std::nearbyint(double(x) / double(c.w) * subpixels) + size * (subpixels / 2);
+        return std::nearbyint(double(x) / double(c.w) * subpixels) + size * subpixels * 0.5;
     };
     return {to_grid(c.x, view.width), to_grid(c.y, view.height)};
 }
