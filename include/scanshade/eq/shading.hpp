@@ -133,7 +133,7 @@ Vec3<R> span_normal(const Vec3<R>& N_AB, const Vec3<R>& N_AC, R AB_x, R AC_x, R 
 /// source  the formula sheet; the polynomial is OpenGL's
 template <Real R>
 R attenuation(R d, Scalar<R> c, Scalar<R> l, Scalar<R> q) {
-    return reciprocal(mul_add(d, mul_add(R(q), d, R(l)), R(c)));
+    return R(1) / mul_add(d, mul_add(R(q), d, R(l)), R(c));
 }
 
 /// Ambient term of the illumination of a surface point.
