@@ -68,7 +68,7 @@ Vec3<R> uniform_vec3(const Scalar<R> (&value)[3]) {
 /// Attenuation of a light at a distance (in the light's units).
 template <Real R>
 [[gnu::always_inline]] inline R attenuation_of(const LightTerm<Scalar<R>>& light, R distance) {
-    if (light.constant) return reciprocal(R(light.attenuation[0]));
+    if (light.constant) return R(1) / R(light.attenuation[0]);
     return attenuation(max(distance, R(light.radius)), light.attenuation[0], light.attenuation[1],
                        light.attenuation[2]);
 }
