@@ -32,11 +32,16 @@ public:
         renderer_.emplace(scene, settings);
         std::vector<std::string> names;
         for (const std::string& isa : sets_) names.push_back("simd " + isa);
+        names.push_back(names.front() + ", fresh");
         return names;
     }
 
+    /// Frames are drawn over one another, as a viewer draws them, and background that is there stays.
+    /// The last way has each frame drawn as if nothing were known of the picture.
     void draw(std::size_t way) override {
-        use_instruction_set(sets_[way]);
+        const bool fresh = way == sets_.size();
+        use_instruction_set(sets_[fresh ? 0 : way]);
+        if (fresh) pixels_.edit();
         renderer_->draw(pixels_);
     }
 
