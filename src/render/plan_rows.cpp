@@ -94,8 +94,9 @@ std::string tiles_reason(const RenderPlan&) { return "tiles that no triangle tou
 
 bool writes_bytes(const RenderPlan& plan) { return plan.samples_side == 1; }
 std::string unchanged_reason(const RenderPlan& plan) {
-    return writes_bytes(plan) ? std::string("blocks of 16 × 16 pixels are known to show it")
-                              : "samples of a pixel are added before they are bytes";
+    return writes_bytes(plan)
+               ? std::string("16 × 16 pixels that the frame before left so; a first frame has none")
+               : "samples of a pixel are added before they are bytes";
 }
 
 constexpr PlanRowInfo rows[] = {
