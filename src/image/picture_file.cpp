@@ -53,7 +53,6 @@ std::uint32_t crc32(std::string_view bytes) {
 }
 
 /// Checksums; and no more data than pixels can need, as a thousandth of 4 GiB unpacks to all of them.
-/// A chunk that is cut off is left for stb to find.
 void check_png(std::string_view bytes) {
     const Numbers numbers(bytes);
     constexpr std::size_t signature = 8, frame = 12;  // a chunk's length, type and checksum
@@ -65,7 +64,8 @@ void check_png(std::string_view bytes) {
     std::size_t data = 0;
     for (std::size_t at = signature; at + frame <= bytes.size();) {
         const std::size_t length = numbers.big_endian(at, 4);
-        if (length > bytes.size() - at - frame) return;
+        // stb would first make room for as much as the chunk says it has.
+        require(length <= bytes.size() - at - frame, "the PNG file is cut off");
         const std::string_view checked = bytes.substr(at + 4, 4 + length);
         require(crc32(checked) == numbers.big_endian(at + 8 + length, 4),
                 "the PNG file is damaged: a checksum is wrong");

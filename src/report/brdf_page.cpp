@@ -31,7 +31,8 @@ std::string lobes(const BrdfInfo& brdf, const MaterialParams<double>& params) {
         Curve curve;
         double largest = 1e-12;
         // The light is on the left, so the mirror direction is on the right.
-        for (double to = -89.75; to <= 89.75; to += 0.25) {
+        for (int quarter = -359; quarter <= 359; ++quarter) {
+            const double to = 0.25 * quarter;
             const ViewedFrom at{degrees * degree, std::abs(to) * degree, to > 0 ? 180 * degree : 0};
             const double shown = 180 * degree * f_cos_at(brdf, params, at) * std::cos(at.theta_o);
             curve.points.push_back({to * degree, shown});
@@ -46,8 +47,8 @@ std::string lobes(const BrdfInfo& brdf, const MaterialParams<double>& params) {
 
 std::string albedo_plot(const BrdfInfo& brdf, const MaterialParams<double>& params) {
     Curve curve{"albedo", {}};
-    for (double degrees = 0; degrees <= 89; degrees += 1)
-        curve.points.push_back({degrees, albedo(brdf, params, degrees * degree)});
+    for (int degrees = 0; degrees <= 89; ++degrees)
+        curve.points.push_back({double(degrees), albedo(brdf, params, degrees * degree)});
     return line_plot({"θ_o in degrees", "ρ(ω_o)", 0, 90},
                      {std::move(curve), Curve{"all of it", {{0, 1}, {90, 1}}}});
 }

@@ -176,6 +176,12 @@ TEST_CASE("a PNG file whose data begin with an empty chunk is refused", "[image]
     check_error(Errc::format, "begin with an empty chunk", [&] { decode_image(png); });
 }
 
+TEST_CASE("a PNG file that ends in a chunk is refused before room is made for it", "[image][png]") {
+    std::string png = tiny_png(2, 8, 0, "ab");
+    png.replace(png.find("IDAT") - 4, 4, big_endian(0x7fffff00));
+    check_error(Errc::format, "the PNG file is cut off", [&] { decode_image(png); });
+}
+
 TEST_CASE("a PNG file with far more data than pixels is not unpacked", "[image][png]") {
     CHECK(decode_image(tiny_png(2, 8, 0, "ab", std::string(4000, '\0'))).width == 2);
     check_error(Errc::format, "more data than its pixels",
