@@ -69,6 +69,9 @@ $(BUILD)/obj/src/viewer/%.o: ALL_CXXFLAGS += $(SDL_CFLAGS)
 $(BUILD)/obj/tests/bench/embree.o: ALL_CXXFLAGS += -O3
 $(BUILD)/obj/tests/bench/packet_shading.o: ALL_CXXFLAGS += -O3 -ffast-math -mprefer-vector-width=512
 
+# The decoder of pictures takes for granted that sums and products of hostile numbers wrap.
+$(BUILD)/obj/src/image/png.o: ALL_CXXFLAGS += -fwrapv
+
 # Tests of the programs run those that were built beside them.
 $(BUILD)/obj/tests/cli/%.o $(BUILD)/obj/tests/viewer/%.o: ALL_CXXFLAGS += -DSCANSHADE_BINARY='"$(abspath $(CLI))"'
 

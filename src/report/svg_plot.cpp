@@ -64,12 +64,15 @@ struct Scale {
     std::vector<double> ticks() const {
         std::vector<double> out;
         if (!logarithmic) {
-            for (double i = std::ceil(low / step - 1e-6); i * step <= high + step * 1e-6; ++i)
-                out.push_back(i * step + 0.0);  // no −0
+            const long first = std::lround(std::ceil(low / step - 1e-6));
+            for (long i = first; double(i) * step <= high + step * 1e-6; ++i)
+                out.push_back(double(i) * step + 0.0);  // no −0
             return out;
         }
-        const double decades = std::log10(high / low), every = std::ceil(decades / 7);
-        for (double i = std::ceil(std::log10(low) - 1e-6); i <= std::log10(high) + 1e-6; i += every)
+        const double decades = std::log10(high / low);
+        const long every = std::lround(std::ceil(decades / 7));
+        const long first = std::lround(std::ceil(std::log10(low) - 1e-6));
+        for (long i = first; double(i) <= std::log10(high) + 1e-6; i += every)
             for (const double digit : {1.0, 2.0, 5.0})
                 if ((digit == 1 || decades < 3) && digit * std::pow(10, i) <= high * 1.000001)
                     out.push_back(digit * std::pow(10, i));
@@ -181,9 +184,11 @@ std::string polar_plot(const std::vector<Curve>& curves) {
     const double centre_x = left + (width - left - right) / 2, centre_y = height - bottom;
     const double radius = std::min((width - left - right) / 2, height - top - bottom);
     const double step = round_step(largest(curves), 4);
-    const double outermost = step * std::ceil(largest(curves) / step);
+    const long rings = std::lround(std::ceil(largest(curves) / step));
+    const double outermost = step * double(rings);
     Svg svg;
-    for (double r = step; r < outermost + step / 2; r += step) {
+    for (long ring = 1; ring <= rings; ++ring) {
+        const double r = step * double(ring);
         svg.half_circle(centre_x, centre_y, r / outermost * radius);
         svg.label(centre_x + r / outermost * radius, centre_y + 16, "middle",
                   fmt::format("{:.3g}", r));

@@ -114,13 +114,13 @@ public:
                                             suggestion(*value, names)));
     }
 
-    Error error(const toml::node& at, std::string sentence) const {
-        Error e(Errc::scene, std::move(sentence));
+    Error error(const toml::node& at, std::string_view sentence) const {
+        Error e(Errc::scene, sentence);
         e.at(file_, static_cast<long>(at.source().begin.line));
         return e;
     }
     /// At the table itself, for what is missing.
-    Error error(std::string sentence) const { return error(table_, std::move(sentence)); }
+    Error error(std::string_view sentence) const { return error(table_, sentence); }
 
     std::string place(const toml::node& at) const {
         return fmt::format("{}:{}", file_, at.source().begin.line);

@@ -208,7 +208,27 @@ std::string jpeg_with_table(std::size_t codes) {
     return "\xff\xd8\xff\xc4" + length + table;
 }
 
+/// A grey JPEG of two blocks whose second brightness is more than 32 bits hold: differences of 2¹⁵ − 1 in
+/// steps of 2¹⁶ − 1.
+std::string jpeg_of_overflowing_steps() {
+    const auto segment = [](char marker, const std::string& data) {
+        return std::string("\xff") + marker + '\0' + char(data.size() + 2) + data;
+    };
+    // One code of one bit.
+    const auto codes = [&](char table, char symbol) {
+        return segment('\xc4', table + std::string("\1") + std::string(15, '\0') + symbol);
+    };
+    return "\xff\xd8" + segment('\xdb', '\x10' + std::string(128, '\xff')) +
+           segment('\xc0', std::string("\x08\0\x08\0\x10\1\1\x11\0", 9)) + codes('\0', '\x0f') +
+           codes('\x10', '\0') + segment('\xda', std::string("\1\1\0\0\x3f\0", 6)) +
+           std::string("\x7f\xff\0\x3f\xff\0\xbf\xff\xd9", 9);
+}
+
 }  // namespace
+
+TEST_CASE("brightness beyond all bounds does not stop the decoder", "[image][png]") {
+    CHECK(decode_image(jpeg_of_overflowing_steps()).width == 16);
+}
 
 TEST_CASE("a table of codes that is too long for the decoder does not reach it", "[image][png]") {
     for (const std::size_t codes : {257u, 300u, 16u * 255u})

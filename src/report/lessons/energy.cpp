@@ -49,8 +49,8 @@ Curve albedo_curve(std::string_view name, double n) {
     const BrdfInfo& brdf = *find_brdf(name);
     const MaterialParams<double> params = half_and_half(name, n);
     Curve curve{fmt::format("n = {:g}", n), {}};
-    for (double degrees = 0; degrees <= 88; degrees += 2)
-        curve.points.push_back({degrees, albedo(brdf, params, degrees * pi / 180)});
+    for (int degrees = 0; degrees <= 88; degrees += 2)
+        curve.points.push_back({double(degrees), albedo(brdf, params, degrees * pi / 180)});
     return curve;
 }
 
