@@ -211,8 +211,8 @@ private:
         alignas(64) int valid[count];
         typename Packet::Rays rays;
         for (int i = 0; i < count; ++i) {
-            const float x = float(left + i % Packet::width) + 0.5f;
-            const float y = float(top + i / Packet::width) + 0.5f;
+            const int column = left + i % Packet::width, row = top + i / Packet::width;
+            const float x = float(column) + 0.5f, y = float(row) + 0.5f;
             const Float3 d = weighted(peer_.ray_corner, 1, peer_.ray_x, x, peer_.ray_y, y);
             valid[i] = -1;
             rays.ray.org_x[i] = peer_.eye[0], rays.ray.dir_x[i] = d[0];

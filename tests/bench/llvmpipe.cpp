@@ -80,7 +80,9 @@ public:
         glBufferData(GL_ELEMENT_ARRAY_BUFFER,
                      GLsizeiptr(geometry.indices.size() * sizeof(std::uint32_t)),
                      geometry.indices.data(), GL_STATIC_DRAW);
-        const auto at = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };
+        const auto at = [](std::size_t bytes) {           // GL takes offsets as pointers
+            return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr)
+        };
         const std::size_t floats[] = {offsetof(Vertex, position), offsetof(Vertex, normal),
                                       offsetof(Vertex, centre)};
         for (GLuint i = 0; i < 3; ++i)

@@ -107,12 +107,8 @@ int run(const Arguments& arguments) {
     return faults.empty() ? exit_done : exit_different;
 }
 
-}  // namespace
-}  // namespace scanshade::bench
-
-int main(int argc, char** argv) {
-    using namespace scanshade;
-    bench::Arguments arguments;
+int run_with(int argc, char** argv) {
+    Arguments arguments;
     CLI::App app("Scanshade beside llvmpipe and Embree: the same pictures, times and ratios.");
     app.add_option("--cells", arguments.cells, "all, quick, or patterns separated by commas");
     app.add_option("--mesh", arguments.mesh, "an OBJ file instead of the built-in scenes");
@@ -126,5 +122,13 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& problem) {
         return app.exit(problem) == 0 ? exit_done : int(Errc::usage);
     }
-    return run_program("scanshade-bench", [&] { return bench::run(arguments); });
+    return run(arguments);
+}
+
+}  // namespace
+}  // namespace scanshade::bench
+
+int main(int argc, char** argv) {
+    using namespace scanshade;
+    return run_program("scanshade-bench", [&] { return bench::run_with(argc, argv); });
 }

@@ -24,7 +24,7 @@ TEST_CASE("a material's parameters are checked and mapped to other models by the
     CHECK(resolve_material(material, "unlit", {}).unlit);
     CHECK(resolve_material(material, "", {{"ka", {0.5}, "--set ka"}}).params.ka[0] == 0.5);
 
-    const auto code = [&](const std::string& brdf, std::vector<ParamSetting> set) {
+    const auto code = [&](const std::string& brdf, const std::vector<ParamSetting>& set) {
         try {
             resolve_material(material, brdf, set);
         } catch (const Error& e) {

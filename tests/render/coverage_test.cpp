@@ -193,10 +193,11 @@ TEST_CASE("a surface across the near and the far plane is cut without a crack",
         std::vector<glm::dvec3> positions;
         std::vector<std::vector<std::uint32_t>> faces;
         const double turn = rng.real(0, 2 * pi);
+        const int half = n / 2;
         for (int j = 0; j <= n; ++j)
             for (int i = 0; i <= n; ++i) {
-                const double x = (i - n / 2 + rng.real(-0.3, 0.3)) * 20;
-                const double z = (j - n / 2 + rng.real(-0.3, 0.3)) * 20;
+                const double x = (double(i - half) + rng.real(-0.3, 0.3)) * 20;
+                const double z = (double(j - half) + rng.real(-0.3, 0.3)) * 20;
                 positions.push_back({x * std::cos(turn) - z * std::sin(turn), -1,
                                      x * std::sin(turn) + z * std::cos(turn)});
             }

@@ -176,6 +176,6 @@ TEST_CASE("pictures of one pixel, one row and one column", "[engine][extremes]")
         CAPTURE(width, height);
         CHECK(wrong(scene, picture(width, height)) == "");
         // As many samples as the square, in 256 tiles instead of its four; and room for a busy machine.
-        CHECK(frame_ms(scene, picture(width, height)) <= 4 * 256 / 4 * square);
+        CHECK(frame_ms(scene, picture(width, height)) <= 4 * (256.0 / 4) * square);
     }
 }

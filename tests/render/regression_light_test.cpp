@@ -99,8 +99,9 @@ TEST_CASE("under a far viewer the highlight stands half way between light and vi
         std::size_t(std::max_element(frame.r.begin(), frame.r.end()) - frame.r.begin());
     const glm::dvec3 h = glm::normalize(glm::normalize(-light.direction) + glm::dvec3(0, 0, 1));
     const double pixels = 30 / (5 * std::tan(pi / 12));  // a unit
-    CHECK(std::abs(double(brightest % 80) + 0.5 - (40 + h.x * pixels)) < 1.5);
-    CHECK(std::abs(double(brightest / 80) + 0.5 - (30 - h.y * pixels)) < 1.5);
+    const auto column = brightest % 80, row = brightest / 80;
+    CHECK(std::abs(double(column) + 0.5 - (40 + h.x * pixels)) < 1.5);
+    CHECK(std::abs(double(row) + 0.5 - (30 - h.y * pixels)) < 1.5);
 }
 
 TEST_CASE("a highlight's peak is k_s at any exponent, any length of the normal and any scale",

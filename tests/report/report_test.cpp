@@ -36,7 +36,7 @@ std::string text_of(const std::filesystem::path& path) {
 
 /// A drawing that is damaged wherever a row of the plan is kept.
 MakeDrawing damaged(const std::string& row,
-                    std::function<void(PixelBuffer&, Framebuffer&)> damage) {
+                    const std::function<void(PixelBuffer&, Framebuffer&)>& damage) {
     return [=](const Scene& scene, const Settings& settings) {
         const Drawing whole = make_drawing(scene, settings);
         if (settings.kept_rows.count(row) == 0) return whole;

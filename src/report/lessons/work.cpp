@@ -139,8 +139,8 @@ double level_rmse(const Framebuffer& picture, const Framebuffer& reference,
     double sum = 0;
     for (std::size_t channel = 0; channel < 3; ++channel)
         for (std::size_t i = 0; i < picture.r.size(); ++i) {
-            const double e =
-                pair.picture().encoded[channel][i] - pair.reference().encoded[channel][i];
+            const auto e =
+                double(pair.picture().encoded[channel][i] - pair.reference().encoded[channel][i]);
             sum += e * e;
         }
     return 255 * std::sqrt(sum / (3 * double(picture.r.size())));
@@ -149,7 +149,7 @@ double level_rmse(const Framebuffer& picture, const Framebuffer& reference,
 double level_max(const Framebuffer& picture, const Framebuffer& reference,
                  const Settings& settings) {
     const std::vector<float> error = level_errors(picture, reference, settings);
-    return *std::max_element(error.begin(), error.end());
+    return double(*std::max_element(error.begin(), error.end()));
 }
 
 Image level_heat(const Framebuffer& picture, const Framebuffer& reference, const Settings& settings,
