@@ -82,14 +82,19 @@ void check_png(std::string_view bytes) {
 }
 
 /// The tables of codes of a JPEG segment of so many bytes: stb writes one of more than 256 codes beyond
-/// its array. A table that begins in the segment is read to its end.
+/// its array, and of a code of up to 9 bits that has the number 255 it reads beyond it, as that number
+/// means to it that a code has more. A table that begins in the segment is read to its end.
 void check_huffman_tables(std::string_view bytes, std::size_t length) {
     constexpr std::size_t counts = 16;
     const Numbers numbers(bytes);
     for (std::size_t at = 0; at < length;) {
-        std::size_t codes = 0;
-        for (std::size_t i = 1; i <= counts; ++i) codes += numbers.byte(at + i);
-        require(codes <= 256, "the JPEG file is damaged: a table of codes is too long");
+        std::size_t codes = 0, short_codes = 0;
+        for (std::size_t bits = 1; bits <= counts; ++bits) {
+            codes += numbers.byte(at + bits);
+            if (bits <= 9) short_codes = codes;
+        }
+        require(codes <= 256 && short_codes <= 255,
+                "the JPEG file is damaged: a table of codes is too long");
         at += 1 + counts + codes;
     }
 }

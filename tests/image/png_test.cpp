@@ -234,6 +234,10 @@ TEST_CASE("a table of codes that is too long for the decoder does not reach it",
     for (const std::size_t codes : {257u, 300u, 16u * 255u})
         check_error(Errc::format, "table of codes", [&] { decode_image(jpeg_with_table(codes)); });
     check_error(Errc::format, "no complete picture", [&] { decode_image(jpeg_with_table(256)); });
+    // 256 codes, of 8 and 9 bits.
+    std::string shorter = jpeg_with_table(256);
+    std::swap(shorter[6 + 15], shorter[6 + 8]), std::swap(shorter[6 + 16], shorter[6 + 9]);
+    check_error(Errc::format, "table of codes", [&] { decode_image(shorter); });
     // A table that only begins in its segment.
     std::string begun = jpeg_with_table(300);
     begun[4] = 0, begun[5] = 3;
