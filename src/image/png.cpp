@@ -38,6 +38,10 @@ void* or_bad_alloc(void* memory) {
 #define STBI_ONLY_JPEG
 #define STBI_ONLY_BMP
 #define STBI_ONLY_TGA
+// Cleared: a JPEG scan may name a table that its file does not have.
+#define STBI_MALLOC(size) std::calloc(1, size)
+#define STBI_REALLOC(memory, size) std::realloc(memory, size)
+#define STBI_FREE(memory) std::free(memory)
 #define STBI_MAX_DIMENSIONS 16384  // max_image_side, in stb's words
 #include <stb/stb_image.h>
 #define STBIW_MALLOC(size) or_bad_alloc(std::malloc(size))
