@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cstdint>
 
 #include "scanshade/base/error.hpp"
@@ -81,10 +82,13 @@ void check_png(std::string_view bytes) {
     }
 }
 
+/// Which of the 2 × 4 tables of codes of a JPEG file are there: [class and number, as the file has them].
+using HuffmanTables = std::bitset<256>;
+
 /// The tables of codes of a JPEG segment of so many bytes: stb writes one of more than 256 codes beyond
-/// its array, and of a code of up to 9 bits that has the number 255 it reads beyond it, as that number
-/// means to it that a code has more. A table that begins in the segment is read to its end.
-void check_huffman_tables(std::string_view bytes, std::size_t length) {
+/// its array, and takes a code of up to 9 bits for another where its number is 255, which means to it
+/// that a code has more bits. A table that begins in the segment is read to its end.
+void check_huffman_tables(std::string_view bytes, std::size_t length, HuffmanTables& defined) {
     constexpr std::size_t counts = 16;
     const Numbers numbers(bytes);
     for (std::size_t at = 0; at < length;) {
@@ -95,7 +99,24 @@ void check_huffman_tables(std::string_view bytes, std::size_t length) {
         }
         require(codes <= 256 && short_codes <= 255,
                 "the JPEG file is damaged: a table of codes is too long");
+        defined.set(numbers.byte(at));
         at += 1 + counts + codes;
+    }
+}
+
+/// A scan's segment from its count of components on. What a scan needs by the first and the last of the
+/// coefficients that it has: a table for the mean of a block, one for the rest, or both. Refining means
+/// needs none.
+void check_scan(std::string_view bytes, const HuffmanTables& defined) {
+    constexpr std::size_t class_of_rest = 0x10;
+    const Numbers numbers(bytes);
+    const std::size_t components = numbers.byte(0), after = 1 + 2 * components;
+    const bool refines = numbers.byte(after + 2) >> 4 != 0;
+    const bool means = numbers.byte(after) == 0 && !refines, rest = numbers.byte(after + 1) > 0;
+    for (std::size_t i = 0; i < components; ++i) {
+        const std::size_t table = numbers.byte(2 + 2 * i);
+        require((!means || defined[table >> 4]) && (!rest || defined[class_of_rest | (table & 15)]),
+                "the JPEG file is damaged: a table of codes is missing");
     }
 }
 
@@ -105,12 +126,17 @@ void check_jpeg(std::string_view bytes) {
     enum : std::size_t { tables = 0xc4, start = 0xd8, end = 0xd9, scan = 0xda };
     const Numbers numbers(bytes);
     bool header = true;
+    HuffmanTables defined;
     for (std::size_t at = 0; at + 2 <= bytes.size();) {
         const std::size_t marker = numbers.byte(at + 1), length = numbers.big_endian(at + 2, 2);
         const bool marked = numbers.byte(at) == 0xff && marker != 0 && marker != 0xff;
+        const std::string_view segment = bytes.substr(std::min(at + 4, bytes.size()));
         if (marked && marker == tables && length > 2)
-            check_huffman_tables(bytes.substr(std::min(at + 4, bytes.size())), length - 2);
-        if (marked && marker == scan) header = false;
+            check_huffman_tables(segment, length - 2, defined);
+        if (marked && marker == scan) {
+            check_scan(segment, defined);
+            header = false;
+        }
         if (marked && marker == end && !header) return;
         at += header && marked && marker != start ? 2 + length : 1;
     }

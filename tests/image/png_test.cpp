@@ -210,7 +210,7 @@ std::string jpeg_with_table(std::size_t codes) {
 
 /// A grey JPEG of two blocks whose second brightness is more than 32 bits hold: differences of 2¹⁵ − 1 in
 /// steps of 2¹⁶ − 1.
-std::string jpeg_of_overflowing_steps() {
+std::string jpeg_of_overflowing_steps(bool has_means = true, bool has_rest = true) {
     const auto segment = [](char marker, const std::string& data) {
         return std::string("\xff") + marker + '\0' + char(data.size() + 2) + data;
     };
@@ -219,8 +219,9 @@ std::string jpeg_of_overflowing_steps() {
         return segment('\xc4', table + std::string("\1") + std::string(15, '\0') + symbol);
     };
     return "\xff\xd8" + segment('\xdb', '\x10' + std::string(128, '\xff')) +
-           segment('\xc0', std::string("\x08\0\x08\0\x10\1\1\x11\0", 9)) + codes('\0', '\x0f') +
-           codes('\x10', '\0') + segment('\xda', std::string("\1\1\0\0\x3f\0", 6)) +
+           segment('\xc0', std::string("\x08\0\x08\0\x10\1\1\x11\0", 9)) +
+           (has_means ? codes('\0', '\x0f') : "") + (has_rest ? codes('\x10', '\0') : "") +
+           segment('\xda', std::string("\1\1\0\0\x3f\0", 6)) +
            std::string("\x7f\xff\0\x3f\xff\0\xbf\xff\xd9", 9);
 }
 
@@ -230,23 +231,30 @@ TEST_CASE("brightness beyond all bounds does not stop the decoder", "[image][png
     CHECK(decode_image(jpeg_of_overflowing_steps()).width == 16);
 }
 
+TEST_CASE("a scan without the tables of codes that it names is refused", "[image][png]") {
+    for (const bool means : {false, true})
+        check_error(Errc::format, "a table of codes is missing",
+                    [&] { decode_image(jpeg_of_overflowing_steps(means, !means)); });
+}
+
 TEST_CASE("a table of codes that is too long for the decoder does not reach it", "[image][png]") {
     for (const std::size_t codes : {257u, 300u, 16u * 255u})
-        check_error(Errc::format, "table of codes", [&] { decode_image(jpeg_with_table(codes)); });
+        check_error(Errc::format, "table of codes is too long",
+                    [&] { decode_image(jpeg_with_table(codes)); });
     check_error(Errc::format, "no complete picture", [&] { decode_image(jpeg_with_table(256)); });
     // 256 codes, of 8 and 9 bits.
     std::string shorter = jpeg_with_table(256);
     std::swap(shorter[6 + 15], shorter[6 + 8]), std::swap(shorter[6 + 16], shorter[6 + 9]);
-    check_error(Errc::format, "table of codes", [&] { decode_image(shorter); });
+    check_error(Errc::format, "table of codes is too long", [&] { decode_image(shorter); });
     // A table that only begins in its segment.
     std::string begun = jpeg_with_table(300);
     begun[4] = 0, begun[5] = 3;
-    check_error(Errc::format, "table of codes", [&] { decode_image(begun); });
+    check_error(Errc::format, "table of codes is too long", [&] { decode_image(begun); });
     // Also behind a scan, and behind what would be skipped.
     const std::string bad = jpeg_with_table(300).substr(2);
-    check_error(Errc::format, "table of codes",
-                [&] { decode_image("\xff\xd8\xff\xda" + std::string("\0\4ab\xff", 5) + bad); });
-    check_error(Errc::format, "table of codes",
+    check_error(Errc::format, "table of codes is too long",
+                [&] { decode_image("\xff\xd8\xff\xda" + std::string("\0\4\0b\xff", 5) + bad); });
+    check_error(Errc::format, "table of codes is too long",
                 [&] { decode_image("\xff\xd8\xff\xe1" + std::string("\0\4ab", 4) + bad); });
 }
 
