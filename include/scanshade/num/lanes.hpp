@@ -23,7 +23,7 @@ struct LanesMask {
 };
 
 /// As many floats as a register of this target has, at most 16. + − × / and sqrt are IEEE's, element
-/// by element, and have the bits of float; mul_add, inverse_sqrt and reciprocal are what the target
+/// by element, and have the bits of float; mul_add, inverse_sqrt_above and reciprocal are what the target
 /// does fastest within their bounds.
 class Lanes {
 public:
@@ -76,19 +76,12 @@ inline Lanes mul_add(Lanes a, Lanes b, Lanes c) { return Lanes(hn::MulAdd(a.v, b
 inline Lanes inverse_sqrt(Lanes x) { return Lanes(1.0f) / sqrt(x); }
 inline Lanes reciprocal(Lanes x) { return Lanes(1.0f) / x; }
 #else
-// An estimate of 11.4 bits or better, and one step of Newton's method.
-inline Lanes refine_inverse_sqrt(Lanes x, Lanes y) {
-    const Lanes half_xy = x * Lanes(0.5f) * y;
-    return y * Lanes(hn::NegMulAdd(half_xy.v, y.v, Lanes(1.5f).v));
-}
-inline Lanes inverse_sqrt(Lanes x) {
-    return refine_inverse_sqrt(x, Lanes(hn::ApproximateReciprocalSqrt(x.v)));
-}
-// From the estimate 0 the step leads to 0.
+// An estimate of 11.4 bits or better, and one step of Newton's method; from 0 that leads to 0.
 inline Lanes inverse_sqrt_above(Lanes x, float least) {
     const auto above = (x > Lanes(least)).m;
-    return refine_inverse_sqrt(
-        x, Lanes(hn::IfThenElseZero(above, hn::ApproximateReciprocalSqrt(x.v))));
+    const Lanes y(hn::IfThenElseZero(above, hn::ApproximateReciprocalSqrt(x.v)));
+    const Lanes half_xy = x * Lanes(0.5f) * y;
+    return y * Lanes(hn::NegMulAdd(half_xy.v, y.v, Lanes(1.5f).v));
 }
 inline Lanes reciprocal(Lanes x) {
     // Outside of this range the estimate is 0 or infinite, and the step would give NaN.

@@ -64,12 +64,12 @@ template <ScalarReal R>
 R sqrt(R x) {
     return std::sqrt(x);
 }
-/// 1/√x for a normal number x > 0. Error ≤ 1.5 u; Lanes ≤ 4 u.
+/// 1/√x for a normal number x > 0. Error ≤ 1.5 u.
 template <ScalarReal R>
 R inverse_sqrt(R x) {
     return R(1) / std::sqrt(x);
 }
-/// 1/√x where x is above a normal number `least` ≥ 0, else 0. Error as inverse_sqrt.
+/// 1/√x where x is above a normal number `least` ≥ 0, else 0. Error as inverse_sqrt; Lanes ≤ 4 u.
 template <Real R>
 R inverse_sqrt_above(R x, Scalar<R> least) {
     const auto above = x > R(least);
