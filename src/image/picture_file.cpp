@@ -63,10 +63,10 @@ void check_png(std::string_view bytes) {
     };
     const std::size_t enough = 2 * (side(16) * largest_pixel + 1) * side(20) + spare;
     std::size_t data = 0;
-    for (std::size_t at = signature; at + frame <= bytes.size();) {
+    for (std::size_t at = signature; at < bytes.size();) {
         const std::size_t length = numbers.big_endian(at, 4);
         // stb would first make room for as much as the chunk says it has.
-        require(length <= bytes.size() - at - frame, "the PNG file is cut off");
+        require(at + frame + length <= bytes.size(), "the PNG file is cut off");
         const std::string_view checked = bytes.substr(at + 4, 4 + length);
         require(crc32(checked) == numbers.big_endian(at + 8 + length, 4),
                 "the PNG file is damaged: a checksum is wrong");

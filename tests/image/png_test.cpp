@@ -178,7 +178,14 @@ TEST_CASE("a PNG file whose data begin with an empty chunk is refused", "[image]
 
 TEST_CASE("a PNG file that ends in a chunk is refused before room is made for it", "[image][png]") {
     std::string png = tiny_png(2, 8, 0, "ab");
-    png.replace(png.find("IDAT") - 4, 4, big_endian(0x7fffff00));
+    const std::size_t data = png.find("IDAT") - 4, end = png.find("IEND") - 4;
+    const std::string beginning = big_endian(0x7fffff00) + "IDATabcd";
+    for (std::size_t size = 1; size < beginning.size(); ++size) {
+        CAPTURE(size);
+        check_error(Errc::format, "the PNG file is cut off",
+                    [&] { decode_image(png.substr(0, end) + beginning.substr(0, size)); });
+    }
+    png.replace(data, 4, big_endian(0x7fffff00));
     check_error(Errc::format, "the PNG file is cut off", [&] { decode_image(png); });
 }
 
