@@ -27,7 +27,8 @@ enum BatchRow : int {
     row_corners,   // uint32: as in ClusteredMesh, and back_bit where seen from behind
     row_origin_x,  // float, a multiple of 4
     row_origin_y,  // float
-    row_extent,    // uint32: last block of the box, columns | rows << 16
+    row_extent,  // uint32: last block of the box, columns | rows << 8, and for triangles << 16 those
+                 // of the 4 × 4 blocks from the origin on that they may touch
     row_edges,  // step of ⌊E/256⌋ a pixel to the right for each edge, then a pixel down for each,
                 // then the value at the origin; the sample is inside where all are ≥ 0
 

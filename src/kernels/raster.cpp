@@ -22,11 +22,9 @@ SCANSHADE_TARGET_END;
 #if HWY_ONCE
 namespace scanshade {
 
-HWY_EXPORT(draw_tiny);
 HWY_EXPORT(draw_fragments);
 HWY_EXPORT(draw_quads);
-HWY_EXPORT(draw_small);
-HWY_EXPORT(draw_medium);
+HWY_EXPORT(draw_triangles);
 HWY_EXPORT(draw_record);
 HWY_EXPORT(draw_rows);
 HWY_EXPORT(write_owned);
@@ -37,17 +35,9 @@ void clear_tile(TileBuffer& tile) {
     std::fill(std::begin(tile.nearest), std::end(tile.nearest), 0.0f);
     std::fill(std::begin(tile.farthest), std::end(tile.farthest), 0.0f);
 }
-void raster_tiny(const RasterView& view, int x, int y, const std::uint32_t* refs,
-                 std::uint32_t count, TileBuffer& tile) {
-    HWY_DYNAMIC_DISPATCH(draw_tiny)(view, x, y, refs, count, tile);
-}
-void raster_small(const RasterView& view, int x, int y, const std::uint32_t* refs,
-                  std::uint32_t count, TileBuffer& tile) {
-    HWY_DYNAMIC_DISPATCH(draw_small)(view, x, y, refs, count, tile);
-}
-void raster_medium(const RasterView& view, int x, int y, const std::uint32_t* refs,
-                   std::uint32_t count, TileBuffer& tile) {
-    HWY_DYNAMIC_DISPATCH(draw_medium)(view, x, y, refs, count, tile);
+void raster_triangles(const RasterView& view, int x, int y, const std::uint32_t* refs,
+                      std::uint32_t count, TileBuffer& tile) {
+    HWY_DYNAMIC_DISPATCH(draw_triangles)(view, x, y, refs, count, tile);
 }
 void raster_fragments(const RasterView& view, int x, int y, const std::uint32_t* runs,
                       std::uint32_t count, TileBuffer& tile) {

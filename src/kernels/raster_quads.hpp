@@ -31,8 +31,8 @@ public:
         std::memcpy(&extent, at_ + row_extent * N, sizeof extent);
         const int last = view.tile / block_side - 1;  // of the tile
         column_ = (origin_x - tile_x) / block_side, line_ = (origin_y - tile_y) / block_side;
-        last_column_ = std::min(column_ + int(extent & 0xffff), last);
-        last_line_ = std::min(line_ + int(extent >> 16), last);
+        last_column_ = std::min(column_ + int(extent & 0xff), last);
+        last_line_ = std::min(line_ + int(extent >> 8), last);
     }
 
     void draw(TileBuffer& tile) {

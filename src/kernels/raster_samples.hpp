@@ -14,26 +14,30 @@ SCANSHADE_TARGET_BEGIN;
 constexpr int block_vectors = block_samples / N;  // vectors in a block
 constexpr int tile_block_columns = tile_side / block_side;
 
-/// Samples of a vector that nearer-or-older surfaces leave to a candidate with depths z.
-/// Equal depth: the lower number in the file wins, whatever the order of drawing.
-HWY_INLINE MaskF wins(const RasterView& view, VecF z, VecF there, MaskF inside,
-                      const std::uint32_t* refs, std::uint32_t ref) {
-    const MaskF nearer = hn::And(inside, hn::Gt(z, there));
-    const MaskF equal = hn::And(inside, hn::Eq(z, there));
-    if (hn::AllFalse(tag_f, equal)) return nearer;
-    alignas(64) float older[N] = {};
+/// Puts a candidate into a vector of samples where it is nearer, or as near and lower in number than
+/// what is there: the order of drawing changes nothing.
+HWY_NOINLINE void put_tied(const RasterView& view, VecF z, MaskF inside, std::uint32_t ref,
+                           float* depth, std::uint32_t* refs) {
     const std::uint32_t id = ref_id(view, ref);
-    for_each_lane(mask_bits(tag_f, equal), [&](std::uint32_t lane) {
-        older[lane] = refs[lane] == no_ref || ref_id(view, refs[lane]) > id ? 1.0f : 0.0f;
+    const VecF there = hn::Load(tag_f, depth);
+    const std::uint32_t nearer = mask_bits(tag_f, hn::And(inside, hn::Gt(z, there)));
+    alignas(64) float candidate[N];
+    hn::Store(z, tag_f, candidate);
+    for_each_lane(mask_bits(tag_f, hn::And(inside, hn::Ge(z, there))), [&](std::uint32_t lane) {
+        if ((nearer >> lane & 1) == 0 && refs[lane] != no_ref && ref_id(view, refs[lane]) <= id)
+            return;
+        depth[lane] = candidate[lane];
+        refs[lane] = ref;
     });
-    return hn::Or(nearer, hn::And(equal, hn::Gt(hn::Load(tag_f, older), hn::Zero(tag_f))));
 }
 
-/// Puts a candidate into a vector of samples.
+/// The same where no depth is equal, as nearly everywhere; else asks for the above.
 HWY_INLINE void put(const RasterView& view, VecF z, MaskF inside, std::uint32_t ref, float* depth,
                     std::uint32_t* refs) {
     const VecF there = hn::Load(tag_f, depth);
-    const MaskF win = wins(view, z, there, inside, refs, ref);
+    if (HWY_UNLIKELY(!hn::AllFalse(tag_f, hn::And(inside, hn::Eq(z, there)))))
+        return put_tied(view, z, inside, ref, depth, refs);
+    const MaskF win = hn::And(inside, hn::Gt(z, there));
     hn::Store(hn::IfThenElse(win, z, there), tag_f, depth);
     const VecI old = hn::Load(tag_i, as_int(refs));
     hn::Store(hn::IfThenElse(hn::RebindMask(tag_i, win), hn::Set(tag_i, std::int32_t(ref)), old),
@@ -47,7 +51,7 @@ struct BlockGrid {
 };
 constexpr BlockGrid grid;
 
-inline int block_at(int column, int row) {
+constexpr int block_at(int column, int row) {
     return (row * tile_block_columns + column) * block_samples;
 }
 

@@ -15,6 +15,7 @@ SCANSHADE_TARGET_BEGIN;
 /// from memory for all lanes as fast as a register.
 class BatchTriangle {
 public:
+    BatchTriangle() = default;
     HWY_INLINE BatchTriangle(const BatchStore& store, std::uint32_t ref)
         : at_(store.batch(ref / std::uint32_t(N)) + ref % std::uint32_t(N)) {}
 
@@ -34,41 +35,21 @@ public:
                                      hn::Set(tag_f, row(row_edges + 6 + k))));
     }
 
-    /// Vector v of the block whose corner is (X, Y) pixels from the origin.
-    struct Candidate {
-        VecF z;
-        MaskF inside;
-    };
-    HWY_INLINE Candidate candidate(float X, float Y, int v) const {
-        const VecF x = hn::Add(hn::Load(tag_f, grid.x + v * N), hn::Set(tag_f, X));
-        const VecF y = hn::Add(hn::Load(tag_f, grid.y + v * N), hn::Set(tag_f, Y));
+    /// What may follow the edge functions at a block's first sample for the largest value in it: that is
+    /// at the corner that the gradient points to.
+    HWY_INLINE float rise(int k) const {
+        return (block_side - 1) *
+               (std::max(row(row_edges + k), 0.0f) + std::max(row(row_edges + 3 + k), 0.0f));
+    }
+
+    /// Samples at (x, y) from the origin, into elements of the tile from `at` on.
+    HWY_INLINE void draw(const RasterView& view, VecF x, VecF y, std::uint32_t ref, int at,
+                         TileBuffer& tile) const {
         const VecF least = hn::Min(edge(0, x, y), hn::Min(edge(1, x, y), edge(2, x, y)));
         const ScreenPlane<Lanes> depth = {Lanes(row(row_depth)), Lanes(row(row_depth + 1)),
                                           Lanes(row(row_depth + 2))};
-        return {plane_value(depth, Lanes(x), Lanes(y)).v, hn::Ge(least, hn::Zero(tag_f))};
-    }
-
-    /// That block; `at`: its index in the tile.
-    HWY_INLINE void draw(const RasterView& view, float X, float Y, std::uint32_t ref, int at,
-                         TileBuffer& tile) const {
-        for (int v = 0; v < block_vectors; ++v) {
-            const Candidate c = candidate(X, Y, v);
-            put(view, c.z, c.inside, ref, tile.depth + at + v * N, tile.ref + at + v * N);
-        }
-    }
-
-    /// 2 × 2 blocks from the origin on, all without asking: a mispredicted branch costs more than an
-    /// empty block. First all values, which nothing that is stored can change.
-    HWY_INLINE void draw_four(const RasterView& view, std::uint32_t ref, int at,
-                              TileBuffer& tile) const {
-        for (int v = 0; v < block_vectors; ++v) {
-            const Candidate c[4] = {candidate(0, 0, v), candidate(4, 0, v), candidate(0, 4, v),
-                                    candidate(4, 4, v)};
-            for (int i = 0; i < 4; ++i) {
-                const int to = at + (i / 2 * tile_block_columns + i % 2) * block_samples + v * N;
-                put(view, c[i].z, c[i].inside, ref, tile.depth + to, tile.ref + to);
-            }
-        }
+        put(view, plane_value(depth, Lanes(x), Lanes(y)).v, hn::Ge(least, hn::Zero(tag_f)), ref,
+            tile.depth + at, tile.ref + at);
     }
 
 private:
@@ -78,111 +59,145 @@ private:
 /// Blocks from a tile to an origin, which lies on their grid; negative in another tile.
 inline int blocks_from(int tile, int origin) { return (origin - tile) >> 2; }
 
-inline void draw_tiny(const RasterView& view, int x, int y, const std::uint32_t* refs,
-                      std::uint32_t count, TileBuffer& tile) {
-    write_all(view, x, y, tile);
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const BatchTriangle t(*view.batches, refs[i]);
-        t.draw(view, 0, 0, refs[i],
-               block_at(blocks_from(x, t.origin_x()), blocks_from(y, t.origin_y())), tile);
+/// A window of 4 × 4 blocks, as row_extent has them: its samples' places, block by block.
+constexpr int window_side = 4, window_blocks = window_side * window_side;
+struct WindowGrid {
+    alignas(64) float x[window_blocks * block_samples], y[window_blocks * block_samples];
+    int at[window_blocks];  // element of a tile
+    constexpr WindowGrid() : x(), y(), at() {
+        for (int block = 0; block < window_blocks; ++block) {
+            const int column = block % window_side, row = block / window_side;
+            at[block] = block_at(column, row);
+            for (int i = 0; i < block_samples; ++i) {
+                x[block * block_samples + i] = grid.x[i] + float(column * block_side);
+                y[block * block_samples + i] = grid.y[i] + float(row * block_side);
+            }
+        }
     }
+};
+constexpr WindowGrid window_grid;
+
+/// The bits of `window_side` places from `first` on that are in [0, last].
+inline std::uint32_t places_within(int first, int last) {
+    constexpr std::uint32_t every = (1u << window_side) - 1;
+    return (every << std::clamp(-first, 0, window_side)) &
+           (every >> std::max(first + window_side - 1 - last, 0));
 }
 
-inline void draw_small(const RasterView& view, int x, int y, const std::uint32_t* refs,
-                       std::uint32_t count, TileBuffer& tile) {
-    write_all(view, x, y, tile);
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const BatchTriangle t(*view.batches, refs[i]);
-        const int at = block_at(blocks_from(x, t.origin_x()), blocks_from(y, t.origin_y()));
-        // What lies beyond the tile's edge is in no triangle of this list.
-        t.draw_four(view, refs[i], at, tile);
-    }
-}
-
-/// Blocks of medium triangles in two passes: first which ones a triangle may touch, 4 × 4 blocks at
-/// once, then one after another. No branch depends on a triangle's shape.
+/// Blocks of triangles in two passes: first which ones a triangle may touch, then one block after
+/// another. No branch depends on a triangle's shape.
 class BlockQueue {
 public:
-    BlockQueue(const RasterView& view, int x, int y, const std::uint32_t* refs, TileBuffer& tile)
-        : view_(view), x_(x), y_(y), refs_(refs), tile_(tile) {}
+    BlockQueue(const RasterView& view, int x, int y, TileBuffer& tile)
+        : view_(view), x_(x), y_(y), tile_(tile) {}
 
-    /// Queues the blocks of refs[i].
-    HWY_INLINE void add(std::uint32_t i) {
-        const BatchTriangle t(*view_.batches, refs_[i]);
+    /// Queues a triangle's blocks.
+    HWY_INLINE void add(std::uint32_t ref) {
+        const BatchTriangle t(*view_.batches, ref);
         const std::uint32_t extent = t.extent();
+        const int columns = int(extent & 0xff), rows = int(extent >> 8 & 0xff);
         const int column = blocks_from(x_, t.origin_x()), row = blocks_from(y_, t.origin_y());
         const int last = view_.tile / block_side - 1;  // of the tile
-        const int last_column = std::min(column + int(extent & 0xffff), last);
-        const int last_row = std::min(row + int(extent >> 16), last);
-        for (int r = std::max(row, 0); r <= last_row; r += 4)
-            for (int c = std::max(column, 0); c <= last_column; c += 4)
-                add_window(t, i, c, r, c - column, r - row, last_column, last_row);
+        const Limits limits = {std::min(column + columns, last), std::min(row + rows, last)};
+        add_window(next_window(t, ref, column, row, 0, 0), extent >> 16, limits);
+        if (columns >= window_side || rows >= window_side) add_further(t, ref, column, row, limits);
     }
 
     HWY_INLINE void draw() {
         for (std::uint32_t k = 0; k < count_; ++k) {
-            const std::uint32_t item = std::uint32_t(queue_[k]);
-            const std::uint32_t ref = refs_[item >> item_shift];
-            const int block = int(item & (tile_blocks - 1));
-            const BatchTriangle t(*view_.batches, ref);
-            const int column = block % tile_block_columns, row = block / tile_block_columns;
-            const float X = float(column * block_side + x_) - t.row(row_origin_x);
-            const float Y = float(row * block_side + y_) - t.row(row_origin_y);
-            t.draw(view_, X, Y, ref, block * block_samples, tile_);
+            const auto item = std::uint32_t(queue_[k]);
+            const Window& w = window_[item / window_blocks];
+            const std::uint32_t block = item % window_blocks;
+            const VecF X = hn::Set(tag_f, w.x), Y = hn::Set(tag_f, w.y);
+            const int at = block_at(w.column, w.row) + window_grid.at[block];
+            for (int v = 0; v < block_samples; v += N) {
+                const float* x = window_grid.x + block * block_samples + v;
+                const float* y = window_grid.y + block * block_samples + v;
+                w.triangle.draw(view_, hn::Add(hn::Load(tag_f, x), X),
+                                hn::Add(hn::Load(tag_f, y), Y), w.ref, at + v, tile_);
+            }
         }
-        count_ = 0;
+        count_ = windows_ = 0;
     }
 
 private:
-    static constexpr int item_shift = 8;
-    static_assert(tile_blocks == 1 << item_shift);
-    static constexpr std::uint32_t capacity = 1024;
+    static constexpr std::uint32_t most_windows = 128, capacity = 1024;
 
-    /// The window of 4 × 4 blocks at (column, row) of the tile, (dc, dr) blocks from the origin.
-    HWY_INLINE void add_window(const BatchTriangle& t, std::uint32_t i, int column, int row, int dc,
-                               int dr, int last_column, int last_row) {
-        if (count_ + block_samples > capacity) draw();
-        for (int v = 0; v < block_vectors; ++v) {
-            const VecF c = hn::Load(tag_f, grid.x + v * N), r = hn::Load(tag_f, grid.y + v * N);
-            const VecF X = hn::Mul(hn::Add(c, hn::Set(tag_f, float(dc))), hn::Set(tag_f, 4.0f));
-            const VecF Y = hn::Mul(hn::Add(r, hn::Set(tag_f, float(dr))), hn::Set(tag_f, 4.0f));
-            VecF least = hn::Set(tag_f, 1e9f);
-            for (int k = 0; k < 3; ++k) {
-                // The largest value in a block is at the corner that the gradient points to.
-                const float A = t.row(row_edges + k), B = t.row(row_edges + 3 + k);
-                const float at_corner =
-                    t.row(row_edges + 6 + k) + 3 * (std::max(A, 0.0f) + std::max(B, 0.0f));
-                const VecF value =
-                    hn::MulAdd(hn::Set(tag_f, A), X,
-                               hn::MulAdd(hn::Set(tag_f, B), Y, hn::Set(tag_f, at_corner)));
-                least = hn::Min(least, value);
+    struct Window {
+        BatchTriangle triangle;
+        std::uint32_t ref;
+        int column, row;  // of the tile's blocks; maybe outside of it
+        float x, y;       // pixels from the triangle's origin
+    };
+    struct Limits {
+        int column, row;  // the last that count
+    };
+
+    /// Room for a window, filled field by field: a copy of the whole would wait for its parts.
+    HWY_INLINE const Window& next_window(const BatchTriangle& t, std::uint32_t ref, int column,
+                                         int row, int columns, int rows) {
+        if (windows_ == most_windows || count_ + window_blocks > capacity) draw();
+        Window& w = window_[windows_];
+        w.triangle = t, w.ref = ref;
+        w.column = column, w.row = row;
+        w.x = float(columns * block_side), w.y = float(rows * block_side);
+        return w;
+    }
+
+    /// Queues the blocks of the window at hand that are in `blocks`, in the tile and within the limits.
+    HWY_INLINE void add_window(const Window& w, std::uint32_t blocks, const Limits& limits) {
+        const std::uint32_t columns = places_within(w.column, limits.column);
+        const std::uint32_t rows = places_within(w.row, limits.row);
+        static_assert(window_side == 4);
+        blocks &= columns * 0x1111u;
+        blocks &= ((rows & 1) | (rows & 2) << 3 | (rows & 4) << 6 | (rows & 8) << 9) * 0xfu;
+        const std::uint32_t first = windows_++ * window_blocks;
+        for (int v = 0; v < window_blocks; v += N)
+            count_ += compress_append(hn::Iota(tag_i, std::int32_t(first) + v),
+                                      mask_of(tag_i, blocks >> v & all_lanes), queue_ + count_);
+    }
+
+    /// The windows that follow the first one.
+    HWY_NOINLINE void add_further(const BatchTriangle& t, std::uint32_t ref, int column, int row,
+                                  const Limits& limits) {
+        const float rise[3] = {t.rise(0), t.rise(1), t.rise(2)};
+        for (int r = row; r <= limits.row; r += window_side)
+            for (int c = column; c <= limits.column; c += window_side) {
+                if (r <= -window_side || c <= -window_side || (r == row && c == column)) continue;
+                const Window& w = next_window(t, ref, c, r, c - column, r - row);
+                add_window(w, touched_blocks(w, rise), limits);
             }
-            const MaskF in_box = hn::And(hn::Le(c, hn::Set(tag_f, float(last_column - column))),
-                                         hn::Le(r, hn::Set(tag_f, float(last_row - row))));
-            const MaskF touched = hn::And(in_box, hn::Ge(least, hn::Zero(tag_f)));
-            const VecI lane = hn::Iota(tag_i, v * N);
-            const VecI block =
-                hn::Add(hn::And(lane, hn::Set(tag_i, 3)),
-                        hn::Mul(hn::ShiftRight<2>(lane), hn::Set(tag_i, tile_block_columns)));
-            const int first = (int(i) << item_shift) + row * tile_block_columns + column;
-            count_ += compress_append(hn::Add(block, hn::Set(tag_i, first)),
-                                      hn::RebindMask(tag_i, touched), queue_ + count_);
+    }
+
+    /// Blocks of a window in which no edge function is negative everywhere.
+    HWY_INLINE std::uint32_t touched_blocks(const Window& w, const float (&rise)[3]) const {
+        std::uint32_t touched = 0;
+        for (int v = 0; v < window_blocks; v += N) {
+            const VecF side = hn::Set(tag_f, float(block_side));
+            const VecF x = hn::MulAdd(hn::Load(tag_f, grid.x + v), side, hn::Set(tag_f, w.x));
+            const VecF y = hn::MulAdd(hn::Load(tag_f, grid.y + v), side, hn::Set(tag_f, w.y));
+            VecF least = hn::Add(w.triangle.edge(0, x, y), hn::Set(tag_f, rise[0]));
+            for (int k = 1; k < 3; ++k)
+                least = hn::Min(least, hn::Add(w.triangle.edge(k, x, y), hn::Set(tag_f, rise[k])));
+            touched |= mask_bits(tag_f, hn::Ge(least, hn::Zero(tag_f))) << v;
         }
+        return touched;
     }
 
     const RasterView& view_;
     const int x_, y_;
-    const std::uint32_t* refs_;
     TileBuffer& tile_;
-    std::uint32_t count_ = 0;
-    alignas(64) std::int32_t queue_[capacity + 16];
+    std::uint32_t count_ = 0, windows_ = 0;
+    Window window_[most_windows];
+    alignas(64) std::int32_t
+        queue_[capacity + window_blocks];  // number of the window · window_blocks + block
 };
 
-inline void draw_medium(const RasterView& view, int x, int y, const std::uint32_t* refs,
-                        std::uint32_t count, TileBuffer& tile) {
+inline void draw_triangles(const RasterView& view, int x, int y, const std::uint32_t* refs,
+                           std::uint32_t count, TileBuffer& tile) {
     write_all(view, x, y, tile);
-    BlockQueue queue(view, x, y, refs, tile);
-    for (std::uint32_t i = 0; i < count; ++i) queue.add(i);
+    BlockQueue queue(view, x, y, tile);
+    for (std::uint32_t i = 0; i < count; ++i) queue.add(refs[i]);
     queue.draw();
 }
 

@@ -95,7 +95,7 @@ private:
             resolve_rows(s, r, shading, false, every, true);
             first_part_ = out_.part_count;
             out_.covered += std::uint32_t(N);
-            add_part(s.number, full, r.material, shading);
+            add_part(s.number, all_lanes, r.material, shading);
         }
     }
 
@@ -132,7 +132,7 @@ private:
             return lanes;
         }
         const Lookup batch(BatchRows(store.batch(number), ref), s, attributes);
-        const bool all = lanes == pending && pending == full;
+        const bool all = lanes == pending && pending == all_lanes;
         resolve_values(s, batch, view_.objects[info.object].shading, view_.materials[info.material],
                        info.normals_disagree, hn::RebindMask(tag_f, mask), all);
         add_part(s.number, lanes, info.material, view_.objects[info.object].shading);
@@ -150,7 +150,7 @@ private:
         const BatchRows rows(view_.raster.fragments->batch(number), ref);
         const MaskF mask_f = hn::RebindMask(tag_f, mask);
         const auto put_values = [&](float(&to)[3][subtile_samples], const VecF(&v)[3]) HWY_ATTR {
-            for (int c = 0; c < 3; ++c) put(to[c], s.number, v[c], mask_f, lanes == full);
+            for (int c = 0; c < 3; ++c) put(to[c], s.number, v[c], mask_f, lanes == all_lanes);
         };
         if (shading != Shading::phong || view_.materials[info.material].reads_normal) {
             const VecF value[3] = {rows.row(fragment_values), rows.row(fragment_values + 1),
@@ -234,7 +234,7 @@ private:
             leave_open(s, lanes, r.material, shading);
             return lanes;
         }
-        const bool all = lanes == pending && pending == full;
+        const bool all = lanes == pending && pending == all_lanes;
         if (r.depth == Record::Depth::plane || r.depth == Record::Depth::spans) {
             resolve_rows(s, r, shading, r.normals_disagree, hn::RebindMask(tag_f, mask), all);
         } else {
@@ -368,7 +368,6 @@ private:
             hn::BlendedStore(v, mask, tag_f, to + vector * std::uint32_t(N));
     }
 
-    static constexpr std::uint32_t full = (1u << N) - 1;
     static constexpr int lane_shift = N == 16 ? 4 : N == 8 ? 3 : N == 4 ? 2 : N == 2 ? 1 : 0;
     const ResolveView& view_;
     const int x_, y_;

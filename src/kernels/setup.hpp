@@ -17,9 +17,7 @@ struct SpecialFace {
 
 /// What one worker of set-up has made.
 struct SetupWorker {
-    TileLists tiny;       // refs of batches: within one block
-    TileLists small;      // within one tile and 2 × 2 blocks
-    TileLists medium;     // further
+    TileLists triangles;  // refs of batches
     TileLists fragments;  // ref of the first of some neighbours, and how many they are
     TileLists quads;      // refs of batches of quadrilaterals
     std::vector<SpecialFace> special;

@@ -23,33 +23,88 @@ public:
         store(row, plane.c.v), store(row + 1, plane.x.v), store(row + 2, plane.y.v);
     }
 
-    void store_face(const ClusterContext& of, const Boxes& box, VecI ox, VecI oy,
-                    VecI packed) const {
+    /// blocks: in the place that row_extent has for them.
+    void store_face(const ClusterContext& of, const Boxes& box, VecI ox, VecI oy, VecI packed,
+                    VecI blocks) const {
         store(row_origin_x, to_float(ox));
         store(row_origin_y, to_float(oy));
         const VecI columns = hn::ShiftRight<2>(hn::Sub(box.x1, ox));
         const VecI rows = hn::ShiftRight<2>(hn::Sub(box.y1, oy));
-        store_int(row_extent, hn::Or(columns, hn::ShiftLeft<16>(rows)));
+        store_int(row_extent, hn::Or(hn::Or(columns, hn::ShiftLeft<8>(rows)), blocks));
         store_int(row_corners, packed);
         store_int(row_id, triangle_ids(of, packed));
     }
 
-    /// Steps of whole pixels from the origin.
     template <int K>
-    void store_edges(const Edges<K>& e, const Boxes& box, VecI ox, VecI oy) const {
-        const VecI back_x = hn::Sub(ox, box.x0), back_y = hn::Sub(oy, box.y0);
+    void store_edges(const Edges<K>& e, const VecI (&at_origin)[K]) const {
         for (int k = 0; k < K; ++k) {
-            const VecI at_origin =
-                hn::Add(e.inside[k], hn::Add(hn::Mul(e.A[k], back_x), hn::Mul(e.B[k], back_y)));
             store(row_edges + k, to_float(e.A[k]));
             store(row_edges + K + k, to_float(e.B[k]));
-            store(row_edges + 2 * K + k, to_float(at_origin));
+            store(row_edges + 2 * K + k, to_float(at_origin[k]));
         }
     }
 
 private:
     float* batch_;
 };
+
+/// Edge functions at the origins, in steps of whole pixels.
+template <int K>
+HWY_INLINE void edges_at_origin(const Edges<K>& e, const Boxes& box, VecI ox, VecI oy,
+                                VecI (&at_origin)[K]) {
+    const VecI back_x = hn::Sub(ox, box.x0), back_y = hn::Sub(oy, box.y0);
+    for (int k = 0; k < K; ++k)
+        at_origin[k] =
+            hn::Add(e.inside[k], hn::Add(hn::Mul(e.A[k], back_x), hn::Mul(e.B[k], back_y)));
+}
+
+/// Which of the 4 × 4 blocks from the origins on triangles may touch, row by row in the upper half of
+/// a number: those in which no edge function is negative everywhere, which is to say where its
+/// gradient points to.
+HWY_INLINE VecI touched_blocks(const Edges<3>& e, const VecI (&at_origin)[3]) {
+    constexpr int side = 4, rise = block_side - 1;
+    const VecI zero = hn::Zero(tag_i);
+    VecI at[3], right[3], down[3], next_row[3];
+    for (int k = 0; k < 3; ++k) {
+        const VecI up = hn::Add(hn::Max(e.A[k], zero), hn::Max(e.B[k], zero));
+        right[k] = hn::ShiftLeft<2>(e.A[k]), down[k] = hn::ShiftLeft<2>(e.B[k]);
+        at[k] = hn::Add(at_origin[k], hn::Mul(up, hn::Set(tag_i, rise)));
+        next_row[k] = hn::Sub(down[k], hn::Mul(right[k], hn::Set(tag_i, side - 1)));
+    }
+    // A sign is shifted in at the top for each block, so the first one ends up lowest.
+    VecI missed = zero;
+    const VecI sign = hn::Set(tag_i, std::numeric_limits<std::int32_t>::min());
+    for (int block = 0; block < side * side; ++block) {
+        const VecI negative = hn::And(hn::Or(hn::Or(at[0], at[1]), at[2]), sign);
+        missed =
+            hn::Or(hn::BitCast(tag_i, hn::ShiftRight<1>(hn::BitCast(tag_u, missed))), negative);
+        for (int k = 0; k < 3; ++k)
+            at[k] = hn::Add(at[k], block % side == side - 1 ? next_row[k] : right[k]);
+    }
+    return hn::AndNot(missed, hn::Set(tag_i, std::int32_t(0xffff0000u)));
+}
+
+/// The tiles that boxes reach, as the lists of them have to know of faces `kept`, batch · N + lane.
+HWY_INLINE void list_faces(const SetupView& view, const Boxes& box, MaskI kept, std::uint32_t batch,
+                           TileLists& lists) {
+    const int shift = __builtin_ctz(static_cast<unsigned>(view.tile));
+    const auto tile_of = [&](VecI at) HWY_ATTR { return hn::ShiftRightSame(at, shift); };
+    const VecI x0 = tile_of(box.x0), y0 = tile_of(box.y0), x1 = tile_of(box.x1),
+               y1 = tile_of(box.y1);
+    alignas(64) std::int32_t first[N], columns[N], rows[N];
+    hn::Store(hn::Add(x0, hn::Mul(y0, hn::Set(tag_i, view.tiles_x))), tag_i, first);
+    hn::Store(hn::Sub(x1, x0), tag_i, columns);
+    hn::Store(hn::Sub(y1, y0), tag_i, rows);
+    const MaskI one_tile = hn::And(hn::Eq(x0, x1), hn::Eq(y0, y1));
+    const std::uint32_t ref = batch * std::uint32_t(N);
+    for_each_lane(hn::And(kept, one_tile),
+                  [&](std::uint32_t lane) { lists.push(std::size_t(first[lane]), ref + lane); });
+    for_each_lane(hn::AndNot(one_tile, kept), [&](std::uint32_t lane) {
+        for (int row = 0; row <= rows[lane]; ++row)
+            for (int column = 0; column <= columns[lane]; ++column)
+                lists.push(std::size_t(first[lane] + row * view.tiles_x + column), ref + lane);
+    });
+}
 
 /// The world positions of N vertices of a cluster.
 struct WorldPositions {
@@ -81,11 +136,14 @@ public:
         const std::uint32_t number = worker_.batch_run.fresh(store_);
         store_.info(number) = of_.batch_info(count);
         rows_ = RowWriter(store_.batch(number));
-        rows_.store_edges(t.edges, t.box, t.ox, t.oy);
+        VecI at_origin[3];
+        edges_at_origin(t.edges, t.box, t.ox, t.oy, at_origin);
+        rows_.store_edges(t.edges, at_origin);
         rows_.store_plane(row_depth, t.depth);
-        rows_.store_face(of_, t.box, t.ox, t.oy, t.corners.packed);
+        rows_.store_face(of_, t.box, t.ox, t.oy, t.corners.packed,
+                         touched_blocks(t.edges, at_origin));
         store_attributes(t.corners, weights_of(t, of_.view.affine));
-        bin(number, kept, t.box);
+        list_faces(of_.view, t.box, kept, number, worker_.triangles);
     }
 
 private:
@@ -125,30 +183,6 @@ private:
 
     void store_sum(int row, const VecF (&a)[3], const Weights& w) {
         rows_.store_plane(row, weighted_plane(a, w));
-    }
-
-    void bin(std::uint32_t batch, MaskI kept, const Boxes& box) {
-        alignas(64) std::int32_t x0[N], y0[N], x1[N], y1[N];
-        hn::Store(box.x0, tag_i, x0), hn::Store(box.y0, tag_i, y0);
-        hn::Store(box.x1, tag_i, x1), hn::Store(box.y1, tag_i, y1);
-        const int tile_shift = __builtin_ctz(static_cast<unsigned>(of_.view.tile));
-        for_each_lane(kept, [&](std::uint32_t lane) {
-            const std::uint32_t ref = batch * std::uint32_t(N) + lane;
-            const int tx0 = x0[lane] >> tile_shift, tx1 = x1[lane] >> tile_shift;
-            const int ty0 = y0[lane] >> tile_shift, ty1 = y1[lane] >> tile_shift;
-            const int columns = x1[lane] / 4 - x0[lane] / 4, rows = y1[lane] / 4 - y0[lane] / 4;
-            const auto tile = std::size_t(ty0 * of_.view.tiles_x + tx0);
-            if (columns == 0 && rows == 0) return worker_.tiny.push(tile, ref);
-            const bool one_tile = tx0 == tx1 && ty0 == ty1;
-            // Small triangles are drawn in 2 × 2 blocks. The second column must not be beyond the
-            // tile's last, where a triangle that the picture's edge cuts may go on.
-            const bool cut =
-                x1[lane] == of_.view.width - 1 && x0[lane] % tile_side >= tile_side - block_side;
-            if (one_tile && columns <= 1 && rows <= 1 && !cut) return worker_.small.push(tile, ref);
-            for (int ty = ty0; ty <= ty1; ++ty)
-                for (int tx = tx0; tx <= tx1; ++tx)
-                    worker_.medium.push(std::size_t(ty * of_.view.tiles_x + tx), ref);
-        });
     }
 
     const ClusterContext& of_;

@@ -94,11 +94,14 @@ private:
         const std::uint32_t number = worker_.quad_run.fresh(store_);
         store_.info(number) = of_.batch_info(count);
         const RowWriter rows(store_.batch(number));
-        rows.store_face(of_, box, ox, oy, c.packed);
-        rows.store_edges(edges_of(c, box, of_.view), box, ox, oy);
+        rows.store_face(of_, box, ox, oy, c.packed, hn::Zero(tag_i));
+        const Edges<4> edges = edges_of(c, box, of_.view);
+        VecI at_origin[4];
+        edges_at_origin(edges, box, ox, oy, at_origin);
+        rows.store_edges(edges, at_origin);
         store_corners(rows, c, ox, oy, z);
         store_attributes(rows, c);
-        bin(number, kept, box);
+        list_faces(of_.view, box, kept, number, worker_.quads);
     }
 
     MaskI serves(const Corners<4>& c, const Boxes& box, VecI ox, VecI oy,
@@ -151,20 +154,6 @@ private:
             for (int axis = 0; axis < 3; ++axis)
                 rows.store(at.position + 4 * axis + k, p.axis[axis]);
         }
-    }
-
-    void bin(std::uint32_t batch, MaskI kept, const Boxes& box) {
-        alignas(64) std::int32_t x0[N], y0[N], x1[N], y1[N];
-        const int shift = __builtin_ctz(static_cast<unsigned>(of_.view.tile));
-        const auto tiles = [&](VecI at, std::int32_t* to)
-                               HWY_ATTR { hn::Store(hn::ShiftRightSame(at, shift), tag_i, to); };
-        tiles(box.x0, x0), tiles(box.y0, y0), tiles(box.x1, x1), tiles(box.y1, y1);
-        for_each_lane(kept, [&](std::uint32_t lane) {
-            for (int ty = y0[lane]; ty <= y1[lane]; ++ty)
-                for (int tx = x0[lane]; tx <= x1[lane]; ++tx)
-                    worker_.quads.push(std::size_t(ty * of_.view.tiles_x + tx),
-                                       batch * std::uint32_t(N) + lane);
-        });
     }
 
     const ClusterContext& of_;

@@ -62,9 +62,8 @@ struct Record {
 /// covers all of a subtile alone, or nothing does.
 struct TileBuffer {
     static constexpr int subtiles = 16;
-    static constexpr int slack = 18 * block_samples;  // small triangles look at 2 × 2 blocks always
-    alignas(64) float depth[tile_samples + slack];
-    alignas(64) std::uint32_t ref[tile_samples + slack];
+    alignas(64) float depth[tile_samples];
+    alignas(64) std::uint32_t ref[tile_samples];
     std::uint32_t owner[subtiles];                // no_ref: nothing yet
     bool written[subtiles];                       // depth and ref hold the subtile
     float nearest[subtiles], farthest[subtiles];  // bounds of the depths of its samples
@@ -99,13 +98,9 @@ inline std::uint32_t ref_id(const RasterView& view, std::uint32_t ref) {
 }
 
 void clear_tile(TileBuffer& tile);
-/// Draws refs of SetupWorker::tiny, ::small and ::medium into the tile whose corner is (x, y).
-void raster_tiny(const RasterView& view, int x, int y, const std::uint32_t* refs,
-                 std::uint32_t count, TileBuffer& tile);
-void raster_small(const RasterView& view, int x, int y, const std::uint32_t* refs,
-                  std::uint32_t count, TileBuffer& tile);
-void raster_medium(const RasterView& view, int x, int y, const std::uint32_t* refs,
-                   std::uint32_t count, TileBuffer& tile);
+/// Draws refs of SetupWorker::triangles into the tile whose corner is (x, y).
+void raster_triangles(const RasterView& view, int x, int y, const std::uint32_t* refs,
+                      std::uint32_t count, TileBuffer& tile);
 /// Draws refs of SetupWorker::quads.
 void raster_quads(const RasterView& view, int x, int y, const std::uint32_t* refs,
                   std::uint32_t count, TileBuffer& tile);

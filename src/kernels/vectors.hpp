@@ -21,7 +21,9 @@ using MaskF = hn::Mask<TagF>;
 using MaskI = hn::Mask<TagI>;
 constexpr TagF tag_f;
 constexpr TagI tag_i;
+constexpr hn::RebindToUnsigned<TagF> tag_u;
 constexpr int N = int(hn::MaxLanes(TagF()));
+constexpr std::uint32_t all_lanes = (1u << N) - 1;  // a bit each
 
 inline const std::int32_t* as_int(const std::uint32_t* p) {
     return reinterpret_cast<const std::int32_t*>(p);

@@ -62,9 +62,7 @@ Engine::Pass::Pass(State& state, Frame& frame)
 
 void Engine::Pass::reset_workers() {
     for (EngineWorker& worker : state_.workers) {
-        worker.setup.tiny.reset(tile_count());
-        worker.setup.small.reset(tile_count());
-        worker.setup.medium.reset(tile_count());
+        worker.setup.triangles.reset(tile_count());
         worker.setup.special.clear();
         worker.setup.fragments.reset(tile_count());
         worker.setup.quads.reset(tile_count());
@@ -179,8 +177,7 @@ void Engine::Pass::make_records(EngineWorker& worker) {
 bool Engine::Pass::left_empty(std::size_t tile) const {
     return leaves_out(PlanRow::empty_tiles) &&
            std::all_of(state_.workers.begin(), state_.workers.end(), [&](const EngineWorker& w) {
-               return w.setup.tiny.empty(tile) && w.setup.small.empty(tile) &&
-                      w.setup.medium.empty(tile) && w.setup.fragments.empty(tile) &&
+               return w.setup.triangles.empty(tile) && w.setup.fragments.empty(tile) &&
                       w.setup.quads.empty(tile) && w.records.lists.empty(tile);
            });
 }
@@ -297,9 +294,7 @@ void Engine::Pass::raster_tile(std::size_t number, int x, int y, TileBuffer& til
                 refs_into(view, x, y, refs, count, tile);
             });
     };
-    draw(&SetupWorker::medium, raster_medium);
-    draw(&SetupWorker::tiny, raster_tiny);
-    draw(&SetupWorker::small, raster_small);
+    draw(&SetupWorker::triangles, raster_triangles);
     draw(&SetupWorker::quads, raster_quads);
     draw(&SetupWorker::fragments, raster_fragments);
     complete_tile(view, x, y, tile);
