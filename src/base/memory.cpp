@@ -1,10 +1,12 @@
 #include "scanshade/base/memory.hpp"
 
+#include <sys/mman.h>
 #include <sys/resource.h>
 
 #include <algorithm>
 #include <fstream>
 #include <limits>
+#include <new>
 #include <optional>
 #include <string>
 
@@ -45,6 +47,17 @@ void limit_memory() {
     limit.rlim_cur =
         std::min({rlim_t(*taken + *available), rlim_t(container_bytes()), limit.rlim_cur});
     ::setrlimit(RLIMIT_DATA, &limit);
+}
+
+void* allocate_large(std::size_t bytes) {
+    constexpr std::size_t line = 64, huge_page = std::size_t{2} << 20;
+    const bool large = bytes >= 2 * huge_page;
+    const std::size_t boundary = large ? huge_page : line;
+    void* const memory = std::aligned_alloc(boundary, (bytes + boundary - 1) / boundary * boundary);
+    if (memory == nullptr) throw std::bad_alloc();
+    // A wish: where it is not granted, only time differs.
+    if (large) ::madvise(memory, bytes, MADV_HUGEPAGE);
+    return memory;
 }
 
 }  // namespace scanshade

@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "scanshade/base/memory.hpp"
 #include "scanshade/scene/clusters.hpp"
 
 namespace scanshade {
@@ -90,18 +91,15 @@ public:
     /// Room for `batches` of `rows` rows of `lanes` numbers; keeps the memory where it is enough.
     void reset(std::size_t batches, int rows, int lanes) {
         rows_ = std::size_t(rows), lanes_ = std::size_t(lanes);
-        const std::size_t size = batches * rows_ * lanes_ + lanes_;
+        const std::size_t size = batches * rows_ * lanes_;
         if (size > size_) {
-            data_.reset(new float[size]);
+            data_.reset(static_cast<float*>(allocate_large(size * sizeof(float))));
             size_ = size;
         }
         if (batches > info_size_) {
             info_.reset(new BatchInfo[batches]);
             info_size_ = batches;
         }
-        // Rows begin on whole cache lines.
-        const auto address = reinterpret_cast<std::uintptr_t>(data_.get());
-        begin_ = data_.get() + (64 - address % 64) % 64 / sizeof(float);
         next_.store(0, std::memory_order_relaxed);
         capacity_ = batches;
     }
@@ -109,8 +107,8 @@ public:
     std::uint32_t take(std::uint32_t count) {
         return next_.fetch_add(count, std::memory_order_relaxed);
     }
-    float* batch(std::uint32_t b) { return begin_ + b * rows_ * lanes_; }
-    const float* batch(std::uint32_t b) const { return begin_ + b * rows_ * lanes_; }
+    float* batch(std::uint32_t b) { return data_.get() + b * rows_ * lanes_; }
+    const float* batch(std::uint32_t b) const { return data_.get() + b * rows_ * lanes_; }
     BatchInfo& info(std::uint32_t b) { return info_[b]; }
     const BatchInfo& info(std::uint32_t b) const { return info_[b]; }
     /// Its memory left the nearer caches when the frame before was drawn.
@@ -127,9 +125,11 @@ public:
     std::size_t used() const { return next_.load(std::memory_order_relaxed); }
 
 private:
-    std::unique_ptr<float[]> data_;
+    struct Free {
+        void operator()(void* memory) const { std::free(memory); }
+    };
+    std::unique_ptr<float[], Free> data_;  // rows begin on whole cache lines
     std::unique_ptr<BatchInfo[]> info_;
-    float* begin_ = nullptr;
     std::size_t size_ = 0, info_size_ = 0, capacity_ = 0, rows_ = 0, lanes_ = 0;
     std::atomic<std::uint32_t> next_{0};
 };

@@ -100,7 +100,7 @@ void EngineLight::reset_object(std::size_t object) {
         if (shading_.frame.plan.texture) resize(lit.dark, count);
         return;
     }
-    const std::vector<std::uint32_t>& triangle = scene_.objects[object].mesh->triangle;
+    const LargeVector<std::uint32_t>& triangle = scene_.objects[object].mesh->triangle;
     // Unused lanes name any number that a cluster can have.
     const std::size_t slots = triangle.size() + face_numbers;
     if (lit.centre[0].size() == slots) return;

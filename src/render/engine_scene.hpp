@@ -20,7 +20,7 @@ struct ClusterBounds {
 
 struct EngineObject {
     const ClusteredMesh* mesh;
-    std::vector<float> normal[3];                // [slot] unit, world
+    LargeVector<float> normal[3];                // [slot] unit, world
     std::vector<ClusterBounds> bounds;           // [cluster]
     std::vector<std::uint8_t> normals_disagree;  // [cluster] see SetupObject
     float to_world[3][4];                        // of the mesh's own units

@@ -19,6 +19,19 @@ TEST_CASE("the peak of memory is known, and grows", "[memory]") {
     CHECK(block[size - 1] == 0);
 }
 
+TEST_CASE("large arrays lie on lines of the cache, and too large ones are an error", "[memory]") {
+    for (const std::size_t count : {1u, 15u, 1000u, 1u << 20, 3u << 20}) {
+        CAPTURE(count);
+        const LargeVector<float> array(count, 1.5f);
+        CHECK(reinterpret_cast<std::uintptr_t>(array.data()) % 64 == 0);
+        CHECK(array.back() == 1.5f);
+    }
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+    CHECK_THROWS_AS(allocate_large(std::size_t(1) << 60), std::bad_alloc);
+#endif
+    CHECK_THROWS_AS(LargeAllocator<float>().allocate(std::size_t(-1) / 2), std::bad_alloc);
+}
+
 TEST_CASE("a process that limits itself gets no more than the machine has", "[memory]") {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
     WARN("skipped: sanitizers map more than any machine has");

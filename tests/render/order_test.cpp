@@ -26,7 +26,7 @@ void shuffle_triangles(ClusteredMesh& mesh, const Cluster& cluster, Rng& rng) {
     std::vector<std::uint32_t> order(cluster.face_count);
     std::iota(order.begin(), order.end(), 0u);
     shuffle(order, rng);
-    const auto first = [&](std::vector<std::uint32_t>& of) { return &of[cluster.first_face]; };
+    const auto first = [&](LargeVector<std::uint32_t>& of) { return &of[cluster.first_face]; };
     std::uint32_t *const corners = first(mesh.corners), *const triangle = first(mesh.triangle);
     const std::vector<std::uint32_t> old_corners(corners, corners + order.size());
     const std::vector<std::uint32_t> old_triangle(triangle, triangle + order.size());

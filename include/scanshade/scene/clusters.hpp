@@ -6,6 +6,7 @@
 #include <mutex>
 #include <vector>
 
+#include "scanshade/base/memory.hpp"
 #include "scanshade/scene/mesh.hpp"
 
 namespace scanshade {
@@ -41,11 +42,11 @@ struct Cluster {
 /// any cluster. Immutable once built.
 struct ClusteredMesh {
     std::vector<Cluster> clusters;
-    std::vector<float> x, y, z;          // [slot] as in the mesh
-    std::vector<float> u, v;             // [slot]
+    LargeVector<float> x, y, z;          // [slot] as in the mesh
+    LargeVector<float> u, v;             // [slot]
     std::vector<std::uint32_t> vertex;   // [slot] the mesh's vertex
-    std::vector<std::uint32_t> corners;  // [face slot] packed as above
-    std::vector<std::uint32_t>
+    LargeVector<std::uint32_t> corners;  // [face slot] packed as above
+    LargeVector<std::uint32_t>
         triangle;  // [face slot] the mesh's triangle, a quadrilateral's first
     std::vector<std::uint32_t> left_out;  // the mesh's faces that are in no cluster
 };
