@@ -117,16 +117,14 @@ private:
         const VecF exposed = hn::Mul(radiance, hn::Set(tag_f, picture_.scale));
         const VecF v = hn::Min(hn::IfThenElseZero(hn::Gt(exposed, zero), exposed), one);
         if (!picture_.srgb)
-            return hn::ConvertTo(tag_i,
-                                 hn::Add(hn::Mul(v, hn::Set(tag_f, 255.0f)), hn::Set(tag_f, 0.5f)));
+            return truncate(hn::Add(hn::Mul(v, hn::Set(tag_f, 255.0f)), hn::Set(tag_f, 0.5f)));
         const VecF s = hn::Sqrt(v);
         VecF curve = hn::Set(tag_f, -0.30957188f * 255);
         for (const float coefficient : {0.84279119f, -0.94486096f, 1.44789935f, -0.03700467f})
             curve = hn::MulAdd(curve, s, hn::Set(tag_f, coefficient * 255));
         const VecF line = hn::Mul(v, hn::Set(tag_f, 12.92f * 255));
         const VecF level = hn::IfThenElse(hn::Lt(v, hn::Set(tag_f, 0.0031308f)), line, curve);
-        const VecI guess =
-            hn::ConvertTo(tag_i, hn::Max(hn::Add(level, hn::Set(tag_f, 0.25f)), zero));
+        const VecI guess = truncate(hn::Max(hn::Add(level, hn::Set(tag_f, 0.25f)), zero));
         const VecF next = hn::GatherIndex(tag_f, picture_.srgb_start + 1, guess);
         return hn::Add(
             guess, hn::IfThenElseZero(hn::RebindMask(tag_i, hn::Ge(v, next)), hn::Set(tag_i, 1)));

@@ -52,7 +52,8 @@ private:
         const int rows = (last_line_ - first_line + 1) * block_side;
         for (int i = 0; i < rows; i += N) {
             const float y = float((first_line - line_) * block_side + i);
-            const QuadSpan<Lanes> span = quad_span(quad, Lanes(hn::Iota(tag_f, y)));
+            const QuadSpan<Lanes> span =
+                quad_span(quad, Lanes(hn::Add(hn::Iota(tag_f, 0), hn::Set(tag_f, y))));
             hn::StoreU(span.x.v, tag_f, x_ + i);
             hn::StoreU(span.z.v, tag_f, z_ + i);
             hn::StoreU(span.slope.v, tag_f, slope_ + i);

@@ -153,8 +153,9 @@ private:
         blocks &= ((rows & 1) | (rows & 2) << 3 | (rows & 4) << 6 | (rows & 8) << 9) * 0xfu;
         const std::uint32_t first = windows_++ * window_blocks;
         for (int v = 0; v < window_blocks; v += N)
-            count_ += compress_append(hn::Iota(tag_i, std::int32_t(first) + v),
-                                      mask_of(tag_i, blocks >> v & all_lanes), queue_ + count_);
+            count_ +=
+                compress_append(hn::Add(hn::Iota(tag_i, v), hn::Set(tag_i, std::int32_t(first))),
+                                mask_of(tag_i, blocks >> v & all_lanes), queue_ + count_);
     }
 
     /// The windows that follow the first one.

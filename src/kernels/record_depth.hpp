@@ -20,7 +20,7 @@ struct Positions {
 
 /// Vector v of the block whose corner is (x, y).
 inline Positions block_positions(int x, int y, int v) {
-    const VecI i = hn::Iota(tag_i, v * N);
+    const VecI i = hn::Add(hn::Iota(tag_i, 0), hn::Set(tag_i, v * N));
     return {hn::Add(hn::And(i, hn::Set(tag_i, 3)), hn::Set(tag_i, x)),
             hn::Add(hn::ShiftRight<2>(i), hn::Set(tag_i, y))};
 }

@@ -30,13 +30,27 @@ public:
         const int sx = (subtile % 4) * subtile_side, sy = (subtile / 4) * subtile_side;
         if (!tile_.written[subtile])
             return resolve_owned(sx, sy, view_.raster.records[tile_.owner[subtile] & ~record_bit]);
-        for (int row = 0; row < subtile_side; row += block_side)
-            for (int column = 0; column < subtile_side; column += block_side)
-                for (int v = 0; v < block_samples / N; ++v)
-                    resolve_vector(sx + column, sy + row, v);
+        switch (view_.mostly) {
+            case fragment_bit:
+                return resolve_vectors<fragment_bit>(sx, sy);
+            case quad_bit:
+                return resolve_vectors<quad_bit>(sx, sy);
+            default:
+                return resolve_vectors<0>(sx, sy);
+        }
     }
 
 private:
+    /// common: the bit of the refs that are resolved in line, with the vector's samples in registers.
+    template <std::uint32_t common>
+    void resolve_vectors(int sx, int sy) {
+        for (int row = 0; row < subtile_side; row += block_side)
+            for (int column = 0; column < subtile_side; column += block_side)
+                for (int v = 0; v < block_samples / N; ++v)
+                    resolve_vector<common>(sx + column, sy + row, v);
+    }
+
+    template <std::uint32_t common>
     HWY_INLINE void resolve_vector(int column, int row, int v) {
         const int at = tile_index(column, row) + v * N;
         const VecI ref = hn::Load(tag_i, as_int(tile_.ref + at));
@@ -46,33 +60,57 @@ private:
         const std::uint32_t number = out_.vectors++;
         out_.covered += std::uint32_t(hn::CountTrue(tag_i, covered));
         out_.tile_at[number] = std::uint16_t(at);
-        const MaskF seen = hn::RebindMask(tag_f, covered);
-        const VecF one = hn::Set(tag_f, 1.0f);
-        store(out_.counted, number, hn::IfThenElseZero(seen, one));
-
-        Samples s;
-        s.at = block_positions(x_ + column, y_ + row, v);
-        s.x = to_float(s.at.x), s.y = to_float(s.at.y);
-        s.z = hn::IfThenElse(seen, hn::Load(tag_f, tile_.depth + at), one);
-        s.inv_z = reciprocal(Lanes(s.z)).v;
-        s.number = number;
+        store(out_.counted, number,
+              hn::IfThenElseZero(hn::RebindMask(tag_f, covered), hn::Set(tag_f, 1.0f)));
+        const Samples s = samples_of(number);
         if (view_.position_from_depth) recover_position(s);
-        first_part_ = out_.part_count;
-        while (pending != 0)
-            pending &= ~resolve_lanes(s, ref, tile_.ref[at + __builtin_ctz(pending)], pending);
+        while (pending != 0) {
+            const std::uint32_t first = tile_.ref[at + __builtin_ctz(pending)];
+            const bool in_line = (first & (record_bit | fragment_bit | quad_bit)) == common;
+            pending &= ~(in_line ? resolve_lanes<common>(s, ref, first, pending)
+                                 : resolve_others(number, first, pending));
+        }
     }
 
-    /// Resolves the lanes that show the same record as `first`, or the same batch; returns them.
+    /// A vector that has its place in the tile.
+    HWY_INLINE Samples samples_of(std::uint32_t number) const {
+        const int at = out_.tile_at[number], block = at / block_samples;
+        constexpr int columns = tile_side / block_side;
+        Samples s;
+        s.number = number;
+        s.at = block_positions(x_ + block % columns * block_side, y_ + block / columns * block_side,
+                               at % block_samples / N);
+        s.x = to_float(s.at.x), s.y = to_float(s.at.y);
+        const VecI ref = hn::Load(tag_i, as_int(tile_.ref + at));
+        const MaskI covered = hn::Ne(ref, hn::Set(tag_i, std::int32_t(no_ref)));
+        s.z = hn::IfThenElse(hn::RebindMask(tag_f, covered), hn::Load(tag_f, tile_.depth + at),
+                             hn::Set(tag_f, 1.0f));
+        s.inv_z = reciprocal(Lanes(s.z)).v;
+        return s;
+    }
+
+    // Each resolves the lanes that show the same batch as `first`, or the same record, and returns them.
+
+    template <std::uint32_t bit>
     HWY_INLINE std::uint32_t resolve_lanes(const Samples& s, VecI ref, std::uint32_t first,
                                            std::uint32_t pending) {
-        if ((first & record_bit) != 0) return resolve_record(s, ref, first, pending);
-        if ((first & fragment_bit) != 0) return resolve_fragments(s, ref, first, pending);
-        const bool quads = (first & quad_bit) != 0;
-        const BatchStore& store = quads ? *view_.raster.quads : *view_.raster.batches;
-        return quads ? resolve_batch<QuadLookup<BatchRows>>(s, store, view_.quad_attributes, ref,
-                                                            first, pending)
-                     : resolve_batch<PlaneLookup<BatchRows>>(s, store, view_.attributes, ref, first,
-                                                             pending);
+        if constexpr (bit == record_bit) return resolve_record(s, ref, first, pending);
+        if constexpr (bit == fragment_bit) return resolve_fragments(s, ref, first, pending);
+        if constexpr (bit == quad_bit)
+            return resolve_batch<QuadLookup<BatchRows>>(s, *view_.raster.quads,
+                                                        view_.quad_attributes, ref, first, pending);
+        return resolve_batch<PlaneLookup<BatchRows>>(s, *view_.raster.batches, view_.attributes,
+                                                     ref, first, pending);
+    }
+
+    HWY_NOINLINE std::uint32_t resolve_others(std::uint32_t number, std::uint32_t first,
+                                              std::uint32_t pending) {
+        const VecI ref = hn::Load(tag_i, as_int(tile_.ref + out_.tile_at[number]));
+        const Samples s = samples_of(number);
+        if ((first & record_bit) != 0) return resolve_lanes<record_bit>(s, ref, first, pending);
+        if ((first & fragment_bit) != 0) return resolve_lanes<fragment_bit>(s, ref, first, pending);
+        if ((first & quad_bit) != 0) return resolve_lanes<quad_bit>(s, ref, first, pending);
+        return resolve_lanes<0>(s, ref, first, pending);
     }
 
     /// A subtile that a record covers alone.
@@ -92,8 +130,7 @@ private:
             s.z = record_depth(view_.raster, r, s.at);
             s.inv_z = reciprocal(Lanes(s.z)).v;
             if (view_.position_from_depth) recover_position(s);
-            resolve_rows(s, r, shading, false, every, true);
-            first_part_ = out_.part_count;
+            resolve_rows(s, r, shading, false, every);
             out_.covered += std::uint32_t(N);
             add_part(s.number, all_lanes, r.material, shading);
         }
@@ -101,15 +138,15 @@ private:
 
     /// The values of a record that has rows as a batch has.
     HWY_INLINE void resolve_rows(const Samples& s, const Record& r, Shading shading,
-                                 bool normals_disagree, MaskF mask, bool all) {
+                                 bool normals_disagree, MaskF mask) {
         const ResolveMaterial& material = view_.materials[r.material];
         const RecordRows rows(r);
         if (r.depth == Record::Depth::spans)
             resolve_values(s, QuadLookup<RecordRows>(rows, s, view_.quad_attributes), shading,
-                           material, normals_disagree, mask, all);
+                           material, normals_disagree, mask);
         else
             resolve_values(s, PlaneLookup<RecordRows>(rows, s, view_.attributes), shading, material,
-                           normals_disagree, mask, all);
+                           normals_disagree, mask);
     }
 
     /// The lanes whose number in `numbers` is `number`, of those pending.
@@ -128,13 +165,12 @@ private:
         const std::uint32_t lanes = mask_bits(tag_i, mask);
         const BatchInfo& info = store.info(number);
         if (view_.objects[info.object].scalar) {
-            leave_open(s, lanes, info.material, view_.objects[info.object].shading);
+            leave_open(s.number, lanes, info.material, view_.objects[info.object].shading);
             return lanes;
         }
         const Lookup batch(BatchRows(store.batch(number), ref), s, attributes);
-        const bool all = lanes == pending && pending == all_lanes;
         resolve_values(s, batch, view_.objects[info.object].shading, view_.materials[info.material],
-                       info.normals_disagree, hn::RebindMask(tag_f, mask), all);
+                       info.normals_disagree, hn::RebindMask(tag_f, mask));
         add_part(s.number, lanes, info.material, view_.objects[info.object].shading);
         return lanes;
     }
@@ -150,7 +186,7 @@ private:
         const BatchRows rows(view_.raster.fragments->batch(number), ref);
         const MaskF mask_f = hn::RebindMask(tag_f, mask);
         const auto put_values = [&](float(&to)[3][subtile_samples], const VecF(&v)[3]) HWY_ATTR {
-            for (int c = 0; c < 3; ++c) put(to[c], s.number, v[c], mask_f, lanes == all_lanes);
+            for (int c = 0; c < 3; ++c) put(to[c], s.number, v[c], mask_f);
         };
         if (shading != Shading::phong || view_.materials[info.material].reads_normal) {
             const VecF value[3] = {rows.row(fragment_values), rows.row(fragment_values + 1),
@@ -166,34 +202,33 @@ private:
     template <class Lookup>
     HWY_INLINE void resolve_values(const Samples& s, const Lookup& batch, Shading shading,
                                    const ResolveMaterial& material, bool normals_disagree,
-                                   MaskF mask, bool all) {
+                                   MaskF mask) {
         const Attributes& at = batch.at;
         const VecF unscale = view_.affine ? hn::Set(tag_f, 1.0f) : s.inv_z;
         if (shading == Shading::phong && material.reads_normal) {
             VecF n[3];
             for (int c = 0; c < 3; ++c) n[c] = batch.value(at.main + at.stride * c);
             if (normals_disagree) note_zero_normals(s, n, mask);
-            for (int c = 0; c < 3; ++c) put(out_.normal[c], s.number, n[c], mask, all);
+            for (int c = 0; c < 3; ++c) put(out_.normal[c], s.number, n[c], mask);
         }
         if (shading == Shading::phong && at.position >= 0)
             for (int c = 0; c < 3; ++c)
                 put(out_.position[c], s.number,
-                    hn::Mul(batch.value(at.position + at.stride * c), unscale), mask, all);
-        if (shading != Shading::phong) resolve_lit(s, batch, shading, material, unscale, mask, all);
-        if (material.textured) resolve_texture(s, batch, unscale, mask, all);
+                    hn::Mul(batch.value(at.position + at.stride * c), unscale), mask);
+        if (shading != Shading::phong) resolve_lit(s, batch, shading, material, unscale, mask);
+        if (material.textured) resolve_texture(s, batch, unscale, mask);
     }
 
     /// u = U/z, and ∂u/∂x = (∂U/∂x − u ∂z/∂x)/z, z as good as any multiple of 1/w.
     template <class Lookup>
-    void resolve_texture(const Samples& s, const Lookup& batch, VecF unscale, MaskF mask,
-                         bool all) {
+    void resolve_texture(const Samples& s, const Lookup& batch, VecF unscale, MaskF mask) {
         // Levels follow the mapping in perspective, which `edges` does not have.
         const bool steps = Lookup::planes && (!view_.affine || view_.raster.orthographic);
         const VecF spacing = hn::Set(tag_f, view_.sample_spacing);
         for (int c = 0; c < 2; ++c) {
             const int row = batch.at.texcoord + batch.at.stride * c;
             const VecF u = hn::Mul(batch.value(row), unscale);
-            put(out_.texcoord[c], s.number, u, mask, all);
+            put(out_.texcoord[c], s.number, u, mask);
             for (int axis = 0; axis < 2; ++axis) {
                 VecF step = not_a_number();
                 if (steps) {
@@ -202,7 +237,7 @@ private:
                         step = hn::NegMulAdd(u, batch.row(row_depth + 1 + axis), step);
                     step = hn::Mul(hn::Mul(step, unscale), spacing);
                 }
-                put(out_.texstep[2 * axis + c], s.number, step, mask, all);
+                put(out_.texstep[2 * axis + c], s.number, step, mask);
             }
         }
     }
@@ -211,15 +246,15 @@ private:
 
     template <class Lookup>
     void resolve_lit(const Samples& s, const Lookup& batch, Shading shading,
-                     const ResolveMaterial& material, VecF unscale, MaskF mask, bool all) {
+                     const ResolveMaterial& material, VecF unscale, MaskF mask) {
         const Attributes& at = batch.at;
         const auto value = [&](int row) HWY_ATTR {
             return shading == Shading::flat ? batch.row(row) : hn::Mul(batch.value(row), unscale);
         };
         for (int c = 0; c < 3; ++c) {
-            put(out_.radiance[c], s.number, value(at.main + at.stride * c), mask, all);
+            put(out_.radiance[c], s.number, value(at.main + at.stride * c), mask);
             if (material.textured)
-                put(out_.dark[c], s.number, value(at.dark + at.stride * c), mask, all);
+                put(out_.dark[c], s.number, value(at.dark + at.stride * c), mask);
         }
     }
 
@@ -231,16 +266,15 @@ private:
         const Record& r = view_.raster.records[first & ~record_bit];
         const Shading shading = view_.objects[r.object].shading;
         if (r.scalar || view_.objects[r.object].scalar) {
-            leave_open(s, lanes, r.material, shading);
+            leave_open(s.number, lanes, r.material, shading);
             return lanes;
         }
-        const bool all = lanes == pending && pending == all_lanes;
         if (r.depth == Record::Depth::plane || r.depth == Record::Depth::spans) {
-            resolve_rows(s, r, shading, r.normals_disagree, hn::RebindMask(tag_f, mask), all);
+            resolve_rows(s, r, shading, r.normals_disagree, hn::RebindMask(tag_f, mask));
         } else {
             VecF w[3];
             record_weights(s, r, w);
-            resolve_record_values(s, r, w, hn::RebindMask(tag_f, mask), all);
+            resolve_record_values(s, r, w, hn::RebindMask(tag_f, mask));
         }
         add_part(s.number, lanes, r.material, shading);
         return lanes;
@@ -270,8 +304,7 @@ private:
         for (int i = 0; i < 3; ++i) w[i] = hn::Load(tag_f, out[i]);
     }
 
-    void resolve_record_values(const Samples& s, const Record& r, const VecF (&w)[3], MaskF mask,
-                               bool all) {
+    void resolve_record_values(const Samples& s, const Record& r, const VecF (&w)[3], MaskF mask) {
         const Shading shading = view_.objects[r.object].shading;
         const ResolveMaterial& material = view_.materials[r.material];
         const auto sum = [&](float a, float b, float c) HWY_ATTR {
@@ -286,40 +319,42 @@ private:
         if (shading == Shading::phong) {
             const VecF n[3] = {main(r.main, 0), main(r.main, 1), main(r.main, 2)};
             if (material.reads_normal) note_zero_normals(s, n, mask);
-            for (int c = 0; c < 3; ++c) put(out_.normal[c], s.number, n[c], mask, all);
+            for (int c = 0; c < 3; ++c) put(out_.normal[c], s.number, n[c], mask);
             if (!view_.position_from_depth)
                 for (int c = 0; c < 3; ++c)
                     put(out_.position[c], s.number,
-                        sum(r.position[0][c], r.position[1][c], r.position[2][c]), mask, all);
+                        sum(r.position[0][c], r.position[1][c], r.position[2][c]), mask);
         } else {
             for (int c = 0; c < 3; ++c) {
-                put(out_.radiance[c], s.number, main(r.main, c), mask, all);
-                if (material.textured) put(out_.dark[c], s.number, main(r.dark, c), mask, all);
+                put(out_.radiance[c], s.number, main(r.main, c), mask);
+                if (material.textured) put(out_.dark[c], s.number, main(r.dark, c), mask);
             }
         }
         if (material.textured)
             for (int c = 0; c < 2; ++c)
                 put(out_.texcoord[c], s.number,
-                    sum(r.texcoord[0][c], r.texcoord[1][c], r.texcoord[2][c]), mask, all);
-        if (material.textured) put(out_.texstep[0], s.number, not_a_number(), mask, all);
+                    sum(r.texcoord[0][c], r.texcoord[1][c], r.texcoord[2][c]), mask);
+        if (material.textured) put(out_.texstep[0], s.number, not_a_number(), mask);
     }
 
     // ---- both
-    void recover_position(const Samples& s) {
+    HWY_INLINE void recover_position(const Samples& s) {
         const ResolveView& v = view_;
         const VecF near = hn::Set(tag_f, v.raster.near);
-        VecF d = hn::Mul(near, s.inv_z);
-        if (v.raster.orthographic) {
-            const VecF range = hn::Set(tag_f, 2 * (v.raster.far - v.raster.near));
-            d = hn::MulAdd(hn::Sub(hn::Set(tag_f, 1.0f), s.z), range, near);
-        }
-        for (int c = 0; c < 3; ++c) {
-            const VecF ray =
+        VecF ray[3];
+        for (int c = 0; c < 3; ++c)
+            ray[c] =
                 hn::MulAdd(s.x, hn::Set(tag_f, v.ray_x[c]),
                            hn::MulAdd(s.y, hn::Set(tag_f, v.ray_y[c]), hn::Set(tag_f, v.ray[c])));
-            const VecF eye = hn::Set(tag_f, v.eye[c]);
-            store(out_.position[c], s.number,
-                  v.raster.orthographic ? hn::MulAdd(d, eye, ray) : hn::MulAdd(d, ray, eye));
+        if (v.raster.orthographic) {
+            const VecF range = hn::Set(tag_f, 2 * (v.raster.far - v.raster.near));
+            const VecF d = hn::MulAdd(hn::Sub(hn::Set(tag_f, 1.0f), s.z), range, near);
+            for (int c = 0; c < 3; ++c)
+                store(out_.position[c], s.number, hn::MulAdd(d, hn::Set(tag_f, v.eye[c]), ray[c]));
+        } else {
+            const VecF d = hn::Mul(near, s.inv_z);
+            for (int c = 0; c < 3; ++c)
+                store(out_.position[c], s.number, hn::MulAdd(d, ray[c], hn::Set(tag_f, v.eye[c])));
         }
     }
 
@@ -327,33 +362,34 @@ private:
         const VecF n2 = hn::MulAdd(n[0], n[0], hn::MulAdd(n[1], n[1], hn::Mul(n[2], n[2])));
         const VecF least = hn::Mul(hn::Set(tag_f, shortest_normal2), hn::Mul(s.z, s.z));
         const MaskF zero = hn::AndNot(hn::Gt(n2, least), mask);
-        if (!hn::AllFalse(tag_f, zero)) open_lanes(s, mask_bits(tag_f, zero), true);
+        if (!hn::AllFalse(tag_f, zero)) open_lanes(s.number, mask_bits(tag_f, zero), true);
     }
 
-    void leave_open(const Samples& s, std::uint32_t lanes, std::uint32_t material,
+    void leave_open(std::uint32_t vector, std::uint32_t lanes, std::uint32_t material,
                     Shading shading) {
-        open_lanes(s, lanes, false);
-        add_part(s.number, lanes, material, shading);
+        open_lanes(vector, lanes, false);
+        add_part(vector, lanes, material, shading);
     }
 
-    HWY_NOINLINE void open_lanes(const Samples& s, std::uint32_t lanes, bool zero_normal) {
+    HWY_NOINLINE void open_lanes(std::uint32_t vector, std::uint32_t lanes, bool zero_normal) {
         for_each_lane(lanes, [&](std::uint32_t lane) {
-            out_.open.push_back({s.number * std::uint32_t(N) + lane, ref_at(s, lane), zero_normal});
+            out_.open.push_back({vector * std::uint32_t(N) + lane,
+                                 tile_.ref[out_.tile_at[vector] + lane], zero_normal});
         });
     }
 
-    std::uint32_t ref_at(const Samples& s, std::uint32_t lane) const {
-        return tile_.ref[out_.tile_at[s.number] + lane];
-    }
-
-    void add_part(std::uint32_t vector, std::uint32_t lanes, std::uint32_t material,
-                  Shading shading) {
+    /// To the part before, where that is of the same vector and shaded alike. Where all is shaded
+    /// alike, one part says how.
+    HWY_INLINE void add_part(std::uint32_t vector, std::uint32_t lanes, std::uint32_t material,
+                             Shading shading) {
+        if (view_.shaded_alike && out_.part_count > 0) return;
         const bool lit = shading != Shading::phong;
-        for (std::uint32_t i = first_part_; i < out_.part_count; ++i) {
-            Surface::Part& part = out_.part[i];
-            if (part.material != material || part.lit != lit) continue;
-            part.lanes |= lanes;
-            return;
+        if (out_.part_count > 0) {
+            Surface::Part& last = out_.part[out_.part_count - 1];
+            if (last.vector == vector && last.material == material && last.lit == lit) {
+                last.lanes |= lanes;
+                return;
+            }
         }
         out_.part[out_.part_count++] = {vector, lanes, material, lit};
     }
@@ -361,11 +397,8 @@ private:
     static void store(float* to, std::uint32_t vector, VecF v) {
         hn::Store(v, tag_f, to + vector * std::uint32_t(N));
     }
-    static void put(float* to, std::uint32_t vector, VecF v, MaskF mask, bool all) {
-        if (all)
-            store(to, vector, v);
-        else
-            hn::BlendedStore(v, mask, tag_f, to + vector * std::uint32_t(N));
+    static void put(float* to, std::uint32_t vector, VecF v, MaskF mask) {
+        hn::BlendedStore(v, mask, tag_f, to + vector * std::uint32_t(N));
     }
 
     static constexpr int lane_shift = N == 16 ? 4 : N == 8 ? 3 : N == 4 ? 2 : N == 2 ? 1 : 0;
@@ -373,7 +406,6 @@ private:
     const int x_, y_;
     const TileBuffer& tile_;
     Surface& out_;
-    std::uint32_t first_part_ = 0;
 };
 
 void resolve_here(const ResolveView& view, int x, int y, int subtile, const TileBuffer& tile,

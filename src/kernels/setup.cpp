@@ -176,6 +176,22 @@ void setup_cluster(const SetupView& view, const SetupObject& object, std::uint32
     HWY_DYNAMIC_DISPATCH(setup_one)(view, object, cluster, clip, to, worker);
 }
 
+void prefetch_cluster(const SetupObject& object, std::uint32_t number) {
+    const ClusteredMesh& mesh = *object.mesh;
+    const Cluster& cluster = mesh.clusters[number];
+    const auto fetch = [](const auto* first, std::uint32_t count) {
+        constexpr std::size_t line = 64 / sizeof *first;
+        for (std::size_t i = 0; i < count; i += line) __builtin_prefetch(first + i);
+    };
+    for (const LargeVector<float>* axis : {&mesh.x, &mesh.y, &mesh.z})
+        fetch(axis->data() + cluster.first_vertex, cluster.vertex_count);
+    fetch(mesh.corners.data() + cluster.first_face, cluster.face_count);
+    fetch(mesh.triangle.data() + cluster.first_face, cluster.face_count);
+    if (object.shading == Shading::phong)
+        for (const float* axis : object.normal)
+            fetch(axis + cluster.first_vertex, cluster.vertex_count);
+}
+
 int vector_lanes() { return HWY_DYNAMIC_DISPATCH(lanes_here)(); }
 
 }  // namespace scanshade

@@ -69,6 +69,9 @@ struct SetupStores {
 void setup_cluster(const SetupView& view, const SetupObject& object, std::uint32_t cluster,
                    bool clip, const SetupStores& to, SetupWorker& worker);
 
+/// Asks for the numbers of a cluster that setup_cluster will read.
+void prefetch_cluster(const SetupObject& object, std::uint32_t cluster);
+
 /// Numbers in a vector of the instruction set in use; at most 16.
 int vector_lanes();
 

@@ -45,7 +45,7 @@ private:
     VecI snap(VecF x, VecF w, int size) const {
         const VecF limit = hn::Set(tag_f, of_.view.guard_band * 256.0f);
         const VecF s = hn::Mul(hn::Div(x, w), hn::Set(tag_f, 256.0f));
-        const VecI whole = hn::NearestInt(hn::Min(hn::Max(s, hn::Neg(limit)), limit));
+        const VecI whole = nearest(hn::Min(hn::Max(s, hn::Neg(limit)), limit));
         return hn::Add(whole, hn::Set(tag_i, size * 128));
     }
 

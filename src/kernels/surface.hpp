@@ -25,6 +25,8 @@ struct ResolveView {
     bool affine;
     float sample_spacing;      // pixels from a sample to the next
     bool position_from_depth;  // else it is an attribute
+    std::uint32_t mostly;      // the bit of most refs: fragment_bit, quad_bit or 0; for speed alone
+    bool shaded_alike;         // all samples by one material, or all lit before, and none textured
     const ResolveObject* objects;
     const ResolveMaterial* materials;
     // A point at distance d along the view: eye + d (ray + x ray_x + y ray_y) in perspective,

@@ -32,6 +32,27 @@ inline std::int32_t* as_int(std::uint32_t* p) { return reinterpret_cast<std::int
 
 inline VecF to_float(VecI v) { return hn::ConvertTo(tag_f, v); }
 
+/// Numbers below 2^31 in magnitude, rounded toward zero, and to nearest. Highway's own spend more on
+/// numbers beyond than on these.
+HWY_INLINE VecI truncate(VecF v) {
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+    return VecI{_mm512_cvttps_epi32(v.raw)};
+#elif HWY_TARGET == HWY_AVX2
+    return VecI{_mm256_cvttps_epi32(v.raw)};
+#else
+    return hn::ConvertTo(tag_i, v);
+#endif
+}
+HWY_INLINE VecI nearest(VecF v) {
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+    return VecI{_mm512_cvtps_epi32(v.raw)};
+#elif HWY_TARGET == HWY_AVX2
+    return VecI{_mm256_cvtps_epi32(v.raw)};
+#else
+    return hn::NearestInt(v);
+#endif
+}
+
 /// One bit a lane.
 template <class Mask, class Tag>
 HWY_INLINE std::uint32_t mask_bits([[maybe_unused]] Tag tag, Mask mask) {

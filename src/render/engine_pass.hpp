@@ -58,10 +58,14 @@ private:
     bool leaves_owned() const;
     bool position_from_depth() const;
 
-    // set-up
+    // engine_setup.cpp
     void reset_workers();
     void reset_batches();
+    void set_up_clusters(std::size_t object, std::size_t begin, std::size_t end,
+                         EngineWorker& worker);
+    bool cull_cluster(std::size_t object, std::size_t cluster, EngineWorker& worker) const;
     void set_up_cluster(std::size_t object, std::size_t cluster, EngineWorker& worker);
+    bool save(EngineWorker& worker, PlanRow row, bool saved, std::uint64_t amount) const;
     void leave_out_polygons();
     void make_records(EngineWorker& worker);
 

@@ -101,6 +101,12 @@ void Engine::Pass::make_resolve_view() {
     resolve.sample_spacing = 1.0f / static_cast<float>(frame_.plan.samples_side);
     const bool needed = !(leaves_out(PlanRow::positions) && !frame_.plan.position_read);
     resolve.position_from_depth = needed && position_from_depth();
+    const std::vector<ResolveObject>& objects = shading_.objects;
+    const bool all_lit = std::none_of(objects.begin(), objects.end(), [](const ResolveObject& o) {
+        return o.shading == Shading::phong;
+    });
+    resolve.shaded_alike =
+        !frame_.plan.texture && (leaves_out(PlanRow::material_lookup) || all_lit);
     // Columns right, up, backward of the eye; a pixel is 1/pixels_per_unit wide at distance 1.
     const glm::dmat3 to_world = glm::transpose(view.rotation);
     const double pixel = 1 / view.pixels_per_unit;
