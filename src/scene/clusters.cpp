@@ -85,37 +85,49 @@ private:
     std::vector<std::size_t> first_;  // [chunk], and the end
 };
 
-/// The mesh's triangle for each one that meshoptimizer gives back: it keeps the corners' order but
-/// not the triangle's number. Equal triangles are told apart by taking each number once.
-class TriangleNumbers {
+/// The place among the chunk's triangles of each one that meshoptimizer gives back: it keeps the
+/// corners' order but not the triangle's number. Equal triangles are told apart by taking each once.
+class TrianglePlaces {
 public:
-    TriangleNumbers(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
-        for (const std::uint32_t t : triangles) numbers_.push_back({rotated(mesh.triangle[t]), t});
-        std::sort(numbers_.begin(), numbers_.end());
-        taken_.resize(numbers_.size());
+    using Key = std::array<unsigned int, 3>;
+
+    /// index: three vertices a triangle.
+    TrianglePlaces(std::span<const unsigned int> index, std::size_t vertices)
+        : first_(vertices + 1), rows_(index.size() / 3) {
+        const auto key = [&](std::size_t t) {
+            return rotated({index[3 * t], index[3 * t + 1], index[3 * t + 2]});
+        };
+        for (std::size_t t = 0; t < rows_.size(); ++t) ++first_[key(t)[0] + 1];
+        std::partial_sum(first_.begin(), first_.end(), first_.begin());
+        std::vector<std::uint32_t> next = first_;
+        for (std::uint32_t t = 0; t < rows_.size(); ++t) {
+            const Key corners = key(t);
+            rows_[next[corners[0]]++] = {corners, t};
+        }
     }
 
-    std::uint32_t take(const std::array<std::uint32_t, 3>& corners) {
-        const Key key = rotated(corners);
-        const auto first = std::size_t(
-            std::lower_bound(numbers_.begin(), numbers_.end(), Row{key, 0}) - numbers_.begin());
-        return numbers_[first + taken_[first]++].number;
+    std::uint32_t take(const Key& corners) {
+        const Key wanted = rotated(corners);
+        Row* row = &rows_[first_[wanted[0]]];
+        while (row->taken || row->corners != wanted) ++row;
+        row->taken = true;
+        return row->place;
     }
 
 private:
-    using Key = std::array<std::uint32_t, 3>;
     struct Row {
         Key corners;
-        std::uint32_t number;
-        auto operator<=>(const Row&) const = default;
+        std::uint32_t place;
+        bool taken = false;
     };
+    /// The least first.
     static Key rotated(const Key& t) {
-        const auto least = std::min_element(t.begin(), t.end()) - t.begin();
-        return {t[std::size_t(least)], t[std::size_t((least + 1) % 3)],
-                t[std::size_t((least + 2) % 3)]};
+        const auto least = std::size_t(std::min_element(t.begin(), t.end()) - t.begin());
+        return {t[least], t[(least + 1) % 3], t[(least + 2) % 3]};
     }
-    std::vector<Row> numbers_;
-    std::vector<std::uint32_t> taken_;  // [first of equal ones] how many
+    std::vector<std::uint32_t>
+        first_;  // [vertex] row of the first triangle whose least corner it is
+    std::vector<Row> rows_;
 };
 
 /// Cuts chunks, one after another.
@@ -139,19 +151,19 @@ public:
                 meshlets.data(), vertices.data(), corners.data(), index_.data(), index_.size(),
                 position_.data(), vertex_.size(), 3 * sizeof(float), max_cluster_vertices,
                 max_cluster_triangles, cone_weight));
-        TriangleNumbers numbers(mesh_, triangles);
+        TrianglePlaces places(index_, vertex_.size());
         ClusterBuilder builder(mesh_);
         for (const meshopt_Meshlet& meshlet : meshlets) {
             const unsigned char* l = &corners[meshlet.triangle_offset];
             ClusterPiece piece{
                 mesh_.face_material[mesh_.triangle_face[triangles[0]]], 3, {}, {}, {}, {}};
+            const unsigned int* v = &vertices[meshlet.vertex_offset];
             for (unsigned int i = 0; i < meshlet.vertex_count; ++i)
-                piece.vertex.push_back(vertex_[vertices[meshlet.vertex_offset + i]]);
+                piece.vertex.push_back(vertex_[v[i]]);
             piece.corner.assign(l, l + 3 * meshlet.triangle_count);
             piece.triangle_corner = piece.corner;
             for (unsigned int t = 0; t < meshlet.triangle_count; ++t, l += 3)
-                piece.number.push_back(
-                    numbers.take({piece.vertex[l[0]], piece.vertex[l[1]], piece.vertex[l[2]]}));
+                piece.number.push_back(triangles[places.take({v[l[0]], v[l[1]], v[l[2]]})]);
             builder.add(piece);
         }
         return builder.take();

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "scanshade/base/error.hpp"
+#include "scanshade/base/parallel.hpp"
 #include "scanshade/scene/clusters.hpp"
 #include "scene/mesh_parts.hpp"
 
@@ -33,15 +34,26 @@ private:
     std::vector<glm::dvec3> points_;
 };
 
+/// Faces, or positions, that one thread looks at at once.
+constexpr std::size_t piece = 4096;
+
 DrawnFaces drawn_faces(const PolygonSoup& soup, EventCounts& events) {
+    const auto corners_of = [&](std::size_t f) {
+        const std::size_t begin = soup.face_begin[f];
+        return std::span(soup.corners).subspan(begin, soup.face_begin[f + 1] - begin);
+    };
+    std::vector<std::optional<glm::dvec3>> normals(soup.face_count());
+    parallel_for(normals.size(), piece, 0, [&](std::size_t begin, std::size_t end, int) {
+        FacePolygon polygon(soup);
+        for (std::size_t f = begin; f < end; ++f)
+            normals[f] = unit_newell_normal(polygon.of(corners_of(f)));
+    });
     DrawnFaces faces;
     faces.corner.reserve(soup.corners.size());
     faces.face.reserve(soup.corners.size());
-    FacePolygon polygon(soup);
     for (std::size_t f = 0; f < soup.face_count(); ++f) {
-        const std::size_t begin = soup.face_begin[f];
-        const auto corners = std::span(soup.corners).subspan(begin, soup.face_begin[f + 1] - begin);
-        const std::optional<glm::dvec3> normal = unit_newell_normal(polygon.of(corners));
+        const auto corners = corners_of(f);
+        const std::optional<glm::dvec3>& normal = normals[f];
         if (!normal) {
             events.add(Event::degenerate_face);
             continue;
@@ -83,16 +95,18 @@ std::vector<std::uint32_t> first_equals(const PolygonSoup& soup, const DrawnFace
     const auto look = [&](std::uint32_t c) {
         return std::tie(faces.corner[c].texcoord, normals.normal[c]);
     };
-    for (std::size_t p = 0; p < soup.positions.size(); ++p) {
-        const std::span<std::uint32_t> corners = around.at(p);
-        std::sort(corners.begin(), corners.end(), [&](std::uint32_t a, std::uint32_t b) {
-            return std::tuple_cat(look(a), std::tie(a)) < std::tuple_cat(look(b), std::tie(b));
-        });
-        for (std::size_t i = 0; i < corners.size(); ++i)
-            first[corners[i]] = i > 0 && look(corners[i]) == look(corners[i - 1])
-                                    ? first[corners[i - 1]]
-                                    : corners[i];
-    }
+    parallel_for(soup.positions.size(), piece, 0, [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t p = begin; p < end; ++p) {
+            const std::span<std::uint32_t> corners = around.at(p);
+            std::sort(corners.begin(), corners.end(), [&](std::uint32_t a, std::uint32_t b) {
+                return std::tuple_cat(look(a), std::tie(a)) < std::tuple_cat(look(b), std::tie(b));
+            });
+            for (std::size_t i = 0; i < corners.size(); ++i)
+                first[corners[i]] = i > 0 && look(corners[i]) == look(corners[i - 1])
+                                        ? first[corners[i - 1]]
+                                        : corners[i];
+        }
+    });
     return first;
 }
 
@@ -125,29 +139,60 @@ void add_vertices(const PolygonSoup& soup, const DrawnFaces& faces, const Corner
     }
 }
 
-void add_faces(const PolygonSoup& soup, const DrawnFaces& faces, Mesh& mesh) {
-    mesh.face_begin = faces.begin;
-    mesh.face_first_triangle.push_back(0);
+/// Faces whose triangles one thread finds, one face after another.
+struct FacePiece {
+    std::vector<std::array<std::uint32_t, 3>> triangle;
+    EventCounts events;
+};
+
+/// Faces begin ≤ f < end, whose place in the mesh is there; face_first_triangle gets, one place further,
+/// how many triangles each has.
+FacePiece add_face_piece(const PolygonSoup& soup, const DrawnFaces& faces, std::size_t begin,
+                         std::size_t end, Mesh& mesh) {
+    FacePiece out;
     FacePolygon polygon(soup);
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-        const std::uint32_t begin = faces.begin[f];
-        const std::uint32_t count = faces.begin[f + 1] - begin;
-        const auto& points = polygon.of(std::span(faces.corner).subspan(begin, count));
+    for (std::size_t f = begin; f < end; ++f) {
+        const std::uint32_t first = faces.begin[f], count = faces.begin[f + 1] - first;
+        const auto& points = polygon.of(std::span(faces.corner).subspan(first, count));
         glm::dvec3 centre(0);
         for (const glm::dvec3& p : points) centre += (p - mesh.origin) / mesh.unit;
         centre /= double(count);
-        mesh.face_material.push_back(soup.face_material[faces.number[f]]);
-        mesh.has_quads |= count == 4;
-        mesh.has_polygons |= count > 3;
-        mesh.face_centre.push_back({float(centre.x), float(centre.y), float(centre.z)});
+        mesh.face_material[f] = soup.face_material[faces.number[f]];
+        mesh.face_centre[f] = {float(centre.x), float(centre.y), float(centre.z)};
         const glm::dvec3& n = faces.normal[f];
-        mesh.face_normal.push_back({float(n.x) + 0.0f, float(n.y) + 0.0f, float(n.z) + 0.0f});
-        for (const auto& t : triangulate(points, mesh.events)) {
-            mesh.triangle.push_back(
-                {mesh.corner[begin + t[0]], mesh.corner[begin + t[1]], mesh.corner[begin + t[2]]});
-            mesh.triangle_face.push_back(std::uint32_t(f));
-        }
-        mesh.face_first_triangle.push_back(std::uint32_t(mesh.triangle.size()));
+        mesh.face_normal[f] = {float(n.x) + 0.0f, float(n.y) + 0.0f, float(n.z) + 0.0f};
+        const auto triangles = triangulate(points, out.events);
+        for (const auto& t : triangles)
+            out.triangle.push_back(
+                {mesh.corner[first + t[0]], mesh.corner[first + t[1]], mesh.corner[first + t[2]]});
+        mesh.face_first_triangle[f + 1] = std::uint32_t(triangles.size());
+    }
+    return out;
+}
+
+void add_faces(const PolygonSoup& soup, const DrawnFaces& faces, Mesh& mesh) {
+    const std::size_t count = faces.size();
+    mesh.face_begin = faces.begin;
+    mesh.face_material.resize(count);
+    mesh.face_centre.resize(count);
+    mesh.face_normal.resize(count);
+    mesh.face_first_triangle.resize(count + 1);
+    std::vector<FacePiece> pieces((count + piece - 1) / piece);
+    parallel_for(count, piece, 0, [&](std::size_t begin, std::size_t end, int) {
+        pieces[begin / piece] = add_face_piece(soup, faces, begin, end, mesh);
+    });
+    for (const FacePiece& p : pieces) {
+        mesh.triangle.insert(mesh.triangle.end(), p.triangle.begin(), p.triangle.end());
+        mesh.events += p.events;
+    }
+    mesh.triangle_face.reserve(mesh.triangle.size());
+    for (std::size_t f = 0; f < count; ++f) {
+        const std::uint32_t triangles = mesh.face_first_triangle[f + 1];
+        mesh.triangle_face.insert(mesh.triangle_face.end(), triangles, std::uint32_t(f));
+        mesh.face_first_triangle[f + 1] += mesh.face_first_triangle[f];
+        const std::uint32_t corners = faces.begin[f + 1] - faces.begin[f];
+        mesh.has_quads |= corners == 4;
+        mesh.has_polygons |= corners > 3;
     }
 }
 

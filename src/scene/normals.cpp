@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "scanshade/base/parallel.hpp"
 #include "scanshade/eq/shading.hpp"
 #include "scene/mesh_parts.hpp"
 
@@ -86,7 +87,7 @@ public:
     }
 
     /// `corners` are all corners at one position; changes their order.
-    void sum_at(std::span<std::uint32_t> corners) {
+    void sum_at(std::span<std::uint32_t> corners) const {
         if (by_group_)
             sum_by_group(corners);
         else if (never_split_ || is_smooth(corners) || corners.size() > max_pairwise)
@@ -219,8 +220,11 @@ CornerNormals corner_normals(const PolygonSoup& soup, const DrawnFaces& faces,
     for (const std::uint32_t f : faces.face) out.normal.push_back(to_float(faces.normal[f]));
     if (options.source == NormalSource::automatic && take_file_normals(soup, faces, out))
         return out;
-    NormalSum sum(soup, faces, options, unit, out);
-    for (std::size_t p = 0; p < soup.positions.size(); ++p) sum.sum_at(around.at(p));
+    const NormalSum sum(soup, faces, options, unit, out);
+    constexpr std::size_t piece = 4096;  // positions that one thread looks at at once
+    parallel_for(soup.positions.size(), piece, 0, [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t p = begin; p < end; ++p) sum.sum_at(around.at(p));
+    });
     return out;
 }
 

@@ -8,7 +8,19 @@
 namespace scanshade {
 namespace {
 
-constexpr std::string_view blanks = " \t\v\f";
+constexpr auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; };
+constexpr auto ends_line = [](char c) { return c == '\n' || c == '\r'; };
+
+/// The text from its first character on that `ends`: find_first_of would ask the library anew for each
+/// character, which takes longer than all that is done with a line.
+template <class Ends>
+std::string_view from_first(std::string_view text, Ends&& ends) {
+    const auto first = std::find_if(text.begin(), text.end(), ends);
+    return text.substr(std::size_t(first - text.begin()));
+}
+std::string_view without_leading_blanks(std::string_view text) {
+    return from_first(text, [](char c) { return !is_blank(c); });
+}
 
 }  // namespace
 
@@ -25,20 +37,23 @@ std::string read_text(const std::filesystem::path& path, std::size_t max_bytes) 
 }
 
 std::string_view next_word(std::string_view& text) {
-    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
-    const std::string_view word = text.substr(0, text.find_first_of(blanks));
-    text.remove_prefix(word.size());
+    text = without_leading_blanks(text);
+    const std::string_view rest = from_first(text, is_blank);
+    const std::string_view word = text.substr(0, text.size() - rest.size());
+    text = rest;
     return word;
 }
 
 std::string_view trimmed(std::string_view text) {
-    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
-    return text.substr(0, text.find_last_not_of(blanks) + 1);
+    text = without_leading_blanks(text);
+    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+    return text;
 }
 
 std::string_view StatementStream::next_line() {
-    const std::string_view line = rest_.substr(0, rest_.find_first_of("\r\n"));
-    rest_.remove_prefix(line.size());
+    const std::string_view after = from_first(rest_, ends_line);
+    const std::string_view line = rest_.substr(0, rest_.size() - after.size());
+    rest_ = after;
     rest_.remove_prefix(rest_.starts_with("\r\n") ? 2 : rest_.empty() ? 0 : 1);
     ++line_;
     return line;
