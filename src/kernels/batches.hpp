@@ -176,6 +176,7 @@ private:
     static constexpr std::uint32_t none = 0xffffffffu;
     struct Chunk {
         static constexpr std::uint32_t capacity = 62;
+        Chunk() {}  // refs are written before they are read
         std::uint32_t next = none, count = 0;
         std::array<std::uint32_t, capacity> ref;
     };

@@ -152,10 +152,9 @@ private:
 
 void setup_one(const SetupView& view, const SetupObject& object, std::uint32_t number, bool clip,
                const SetupStores& to, SetupWorker& worker) {
-    const Cluster& cluster = object.mesh->clusters[number];
-    ClusterContext of{view, object, number, cluster, object.material[cluster.material], {}};
+    ClusterContext of(view, object, number);
     VertexTransform(of, clip).run();
-    if (cluster.corners == 4)
+    if (of.cluster.corners == 4)
         QuadSetup(of, clip, to.quads, worker).run();
     else
         TriangleSetup(of, clip, to, worker).run();

@@ -36,11 +36,13 @@ public:
 
     /// Triangles whose boxes hold up to 2 × 2 samples.
     void write(const Triangles& t, MaskI kept) {
-        ScreenPlane<Lanes> values[3] = {};
+        ScreenPlane<Lanes> values[3];
         if (has_weights())
             std::copy_n(weights_of(t, of_.view.affine).of, 3, values);
         else if (of_.material.store_normals)
             normal_planes(t, values);
+        else
+            std::fill_n(values, 3, ScreenPlane<Lanes>{Lanes(0), Lanes(0), Lanes(0)});
         const VecI id = triangle_ids(of_, t.corners.packed);
         for (int y = 0; y < 2; ++y)
             for (int x = 0; x < 2; ++x) {
@@ -52,7 +54,10 @@ public:
     }
 
     void finish() {
-        if (count_ > 0) store_batch(count_);
+        if (count_ == 0) return;
+        // Unused lanes name some vertex, too.
+        hn::StoreU(hn::Zero(tag_i), tag_i, staged_[row_corners] + count_);
+        store_batch(count_);
     }
 
 private:
@@ -96,7 +101,7 @@ private:
     }
 
     void stage(int row, VecI v, MaskI mask) {
-        hn::StoreU(hn::Compress(v, mask), tag_i, staged_[row] + count_);
+        hn::StoreU(compress(v, mask), tag_i, staged_[row] + count_);
     }
     void stage(int row, VecF v, MaskI mask) { stage(row, hn::BitCast(tag_i, v), mask); }
 
@@ -141,8 +146,7 @@ private:
     const ClusterContext& of_;
     BatchStore& store_;
     SetupWorker& worker_;
-    // Unused lanes of a last batch name some vertex, too.
-    alignas(64) std::int32_t staged_[staged_rows][2 * N] = {};
+    alignas(64) std::int32_t staged_[staged_rows][2 * N];
     std::uint32_t count_ = 0;
 };
 

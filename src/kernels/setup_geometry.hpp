@@ -23,12 +23,19 @@ struct ClusterVertices {
 
 /// A cluster on its way through set-up.
 struct ClusterContext {
+    ClusterContext(const SetupView& v, const SetupObject& o, std::uint32_t n)
+        : view(v),
+          object(o),
+          number(n),
+          cluster(o.mesh->clusters[n]),
+          material(o.material[cluster.material]) {}
+
     const SetupView& view;
     const SetupObject& object;
     std::uint32_t number;
     const Cluster& cluster;
     const SetupMaterial& material;
-    ClusterVertices vertices;
+    ClusterVertices vertices;  // as VertexTransform leaves them
 
     /// Leaves the cluster's face number `face` to the driver.
     void divert(std::uint32_t face, SetupWorker& worker) const {

@@ -116,9 +116,33 @@ HWY_INLINE VecI look_up(const std::int32_t* of_local, VecI local) {
     return hn::BitCast(tag_i, look_up(reinterpret_cast<const float*>(of_local), local));
 }
 
+/// For each mask of eight lanes the numbers of its lanes, then zeros.
+struct LanesOfMasks {
+    std::uint8_t lane[256][8];
+    constexpr LanesOfMasks() : lane() {
+        for (unsigned mask = 0; mask < 256; ++mask)
+            for (unsigned bit = 0, to = 0; bit < 8; ++bit)
+                if ((mask >> bit & 1) != 0) lane[mask][to++] = std::uint8_t(bit);
+    }
+};
+inline constexpr LanesOfMasks lanes_of_masks;
+
+/// The lanes of a mask first; the others have no meaning. Highway's own has a table for AVX2, too, but
+/// GCC 12 copies it onto the stack each time.
+HWY_INLINE VecI compress(VecI v, MaskI mask) {
+#if HWY_TARGET == HWY_AVX2
+    const std::uint8_t* lane = lanes_of_masks.lane[mask_bits(tag_i, mask)];
+    const hn::Rebind<std::uint8_t, TagI> bytes;
+    const VecI from = hn::PromoteTo(tag_i, hn::LoadU(bytes, lane));
+    return hn::TableLookupLanes(v, hn::IndicesFromVec(tag_i, from));
+#else
+    return hn::Compress(v, mask);
+#endif
+}
+
 /// Writes the lanes of a mask one after another; what follows them up to N is overwritten, too.
 inline std::uint32_t compress_append(VecI v, MaskI mask, std::int32_t* to) {
-    hn::StoreU(hn::Compress(v, mask), tag_i, to);
+    hn::StoreU(compress(v, mask), tag_i, to);
     return std::uint32_t(hn::CountTrue(tag_i, mask));
 }
 
