@@ -4,7 +4,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -13,6 +15,7 @@
 #include <new>
 #include <stdexcept>
 #include <system_error>
+#include <thread>
 #include <typeinfo>
 
 #include "scanshade/base/error.hpp"
@@ -57,6 +60,15 @@ bool is_out_of_memory(const std::exception& error) {
     return typeid(error) == typeid(std::runtime_error);  // oneTBB's, for a thread
 }
 
+/// Threads may run out of memory at the same time. The first one says so and ends the program; another
+/// gives it a second to do that.
+void speak_alone() {
+    static std::atomic_flag spoken;
+    if (!spoken.test_and_set()) return;
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    ::_exit(exit_out_of_memory);
+}
+
 std::terminate_handler standard_terminate = nullptr;
 
 /// Where no one can catch, as in a thread that oneTBB starts another one from.
@@ -65,6 +77,7 @@ void end_out_of_memory() {
         if (std::current_exception()) std::rethrow_exception(std::current_exception());
     } catch (const std::exception& error) {
         if (is_out_of_memory(error)) {
+            speak_alone();
             remove_unfinished_file();
             fmt::print(stderr, "scanshade: {}\n", out_of_memory);
             ::_exit(exit_out_of_memory);
@@ -94,6 +107,7 @@ int run_program(std::string_view program, const std::function<int()>& body) {
         return failed(error.what(), int(Errc::file));
     } catch (const std::exception& error) {
         if (!is_out_of_memory(error)) throw;
+        speak_alone();
         return failed(out_of_memory, exit_out_of_memory);
     }
 }
