@@ -104,7 +104,7 @@ Image encode(const Framebuffer& frame, Transfer transfer, double exposure_ev) {
 }
 
 void encode(const Framebuffer& frame, Transfer transfer, double exposure_ev, PixelBuffer& into) {
-    AlignedVector<std::uint32_t>& rgba = into.edit();
+    LargeVector<std::uint32_t>& rgba = into.edit();
     std::fill(rgba.begin(), rgba.end(), 0xff000000u);
     encode_with(frame, transfer, exposure_ev,
                 [&](std::size_t i, std::size_t channel, std::uint8_t byte) {

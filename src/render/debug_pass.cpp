@@ -73,7 +73,7 @@ std::vector<double> DebugPass::coverage() {
 DebugPicture DebugPass::draw(DebugView view) {
     if (view == DebugView::plan) return draw_plan();
     DebugPicture out{PixelBuffer(width(), height()), {}, {}};
-    AlignedVector<std::uint32_t>& rgba = out.pixels.edit();
+    LargeVector<std::uint32_t>& rgba = out.pixels.edit();
     parallel_for(std::size_t(height()), 8, plan_.threads,
                  [&](std::size_t begin, std::size_t end, int) {
                      EventCounts ignored;
@@ -149,7 +149,7 @@ DebugPicture DebugPass::draw_plan() {
     const Work cleared{{18, 18, 24}, "background: the tile is only cleared"};
     const Work beside{{60, 60, 72}, "background in a tile with surfaces"};
     DebugPicture out{PixelBuffer(width(), height()), {}, {}};
-    AlignedVector<std::uint32_t>& rgba = out.pixels.edit();
+    LargeVector<std::uint32_t>& rgba = out.pixels.edit();
     std::map<std::string, Rgb8> seen;
     EventCounts ignored;
     FaceValues<float> face(frame_, surfaces_, ignored);

@@ -51,7 +51,7 @@ DebugPicture in_false_colours(const std::vector<double>& values, const DebugScal
         if (!scale.logarithmic) return (v - scale.low) / (scale.high - scale.low);
         return std::log(v / scale.low) / std::log(scale.high / scale.low);
     };
-    AlignedVector<std::uint32_t>& rgba = out.pixels.edit();
+    LargeVector<std::uint32_t>& rgba = out.pixels.edit();
     for (std::size_t i = 0; i < values.size(); ++i)
         rgba[i] = opaque(values[i] < 0 ? Rgb8{0, 0, 0} : false_colour(place(values[i])));
     return out;
@@ -169,7 +169,7 @@ void draw_wireframe(const Scene& scene, const Framebuffer& frame, PixelBuffer& p
         const std::uint32_t id = frame.id[at];
         return id < face.size() ? face[id] : Framebuffer::no_triangle;
     };
-    AlignedVector<std::uint32_t>& rgba = pixels.edit();
+    LargeVector<std::uint32_t>& rgba = pixels.edit();
     for (int y = 0; y < frame.height; ++y)
         for (int x = 0; x < frame.width; ++x) {
             const std::size_t at = frame.index(x, y);

@@ -9,7 +9,7 @@ using namespace scanshade;
 
 namespace {
 
-AlignedVector<std::uint32_t> alone(const Scene& scene, const Settings& settings) {
+LargeVector<std::uint32_t> alone(const Scene& scene, const Settings& settings) {
     PixelBuffer pixels;
     Renderer(scene, settings).draw(pixels);
     return pixels.rgba();

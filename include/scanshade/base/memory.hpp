@@ -21,7 +21,7 @@ void limit_memory();
 /// huge pages to give it lies in such, so that fewer addresses are looked up. Throws std::bad_alloc.
 void* allocate_large(std::size_t bytes);
 
-/// For arrays that may be as large as a scene.
+/// For arrays that may be as large as a scene or a picture, and those that whole registers are stored into.
 template <class T>
 struct LargeAllocator {
     using value_type = T;

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "scanshade/base/aligned.hpp"
+#include "scanshade/base/memory.hpp"
 #include "scanshade/image/image.hpp"
 #include "scanshade/scene/settings.hpp"
 
@@ -44,9 +44,9 @@ struct PixelBuffer {
         return std::size_t(block_columns()) * std::size_t(rows);
     }
 
-    const AlignedVector<std::uint32_t>& rgba() const { return rgba_; }  // [y·width + x]
+    const LargeVector<std::uint32_t>& rgba() const { return rgba_; }  // [y·width + x]
     /// To be written to until the next draw: nothing is known of the pixels any more.
-    AlignedVector<std::uint32_t>& edit() {
+    LargeVector<std::uint32_t>& edit() {
         std::fill(blank_.begin(), blank_.end(), std::uint8_t{0});
         return rgba_;
     }
@@ -64,7 +64,7 @@ struct PixelBuffer {
     }
 
 private:
-    AlignedVector<std::uint32_t> rgba_;
+    LargeVector<std::uint32_t> rgba_;
     std::vector<std::uint8_t> blank_;
     std::uint32_t background_ = 0;
 };
