@@ -25,6 +25,7 @@ int open_for_child(const std::string& path) {
 struct Limit {
     int resource;
     rlimit value;
+    std::string folder;  // of the run's own
 };
 
 /// Starts the program with these descriptors; the caller keeps its own copies.
@@ -39,6 +40,12 @@ pid_t start(const std::string& program, const std::vector<std::string>& args, in
     for (const int signal : {SIGINT, SIGTERM, SIGHUP})
         ::signal(signal, SIG_DFL);  // as from a terminal
     if (limit) ::setrlimit(__rlimit_resource_t(limit->resource), &limit->value);
+    // The counts of coverage that all runs add to must not be cut by a limit on files, and that
+    // they are is not the program's to say.
+    if (limit && limit->resource == RLIMIT_FSIZE) {
+        ::setenv("GCOV_PREFIX", limit->folder.c_str(), 1);
+        ::setenv("GCOV_ERROR_FILE", "/dev/null", 1);
+    }
     ::dup2(out, STDOUT_FILENO);
     ::dup2(err, STDERR_FILENO);
     ::execv(argv[0], argv.data());
@@ -130,7 +137,7 @@ Finished run_scanshade_limited(const std::vector<std::string>& args, int resourc
                                std::uint64_t bytes) {
     const TempFolder folder;
     const int out = open_for_child(folder.path / "out"), err = open_for_child(folder.path / "err");
-    const Limit limit{resource, {rlim_t(bytes), rlim_t(bytes)}};
+    const Limit limit{resource, {rlim_t(bytes), rlim_t(bytes)}, folder.path};
     Finished finished;
     finished.status = wait_for(start(SCANSHADE_BINARY, args, out, err, &limit));
     ::close(out);
