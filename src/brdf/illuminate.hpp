@@ -18,19 +18,19 @@ SCANSHADE_TARGET_BEGIN;
 /// A material's parameters in the number type of a kernel.
 template <Real R>
 struct ParamPack {
-    const MaterialParams<Scalar<R>>& material;
+    const MaterialParams<Scalar<R>>* material;
     int diffuse;           // index of the diffuse parameter, −1: none
     Rgb<R> diffuse_value;  // that parameter, a texture's albedo included
 
     Rgb<R> rgb(int index) const {
-        return index == diffuse ? diffuse_value : uniform_rgb<R>(material.value[index]);
+        return index == diffuse ? diffuse_value : uniform_rgb<R>(material->value[index]);
     }
-    R number(int index) const { return R(material.value[index][0]); }
-    const Exponent& exponent(int index) const { return material.exponent[index]; }
-    int choice(int index) const { return static_cast<int>(material.value[index][0]); }
-    R derived(int index) const { return R(material.derived[index]); }
+    R number(int index) const { return R(material->value[index][0]); }
+    const Exponent& exponent(int index) const { return material->exponent[index]; }
+    int choice(int index) const { return static_cast<int>(material->value[index][0]); }
+    R derived(int index) const { return R(material->derived[index]); }
     /// The specular parameter is black, and its term may be left out.
-    bool matt() const { return material.matt; }
+    bool matt() const { return material->matt; }
 };
 
 /// Index of the parameter with the diffuse role, −1: none.
@@ -49,9 +49,9 @@ template <class Model, Real R>
 ParamPack<R> param_pack(const MaterialParams<Scalar<R>>& material, const Rgb<R>& albedo) {
     constexpr int diffuse = diffuse_index<Model>();
     if constexpr (diffuse < 0)
-        return {material, diffuse, albedo};
+        return {&material, diffuse, albedo};
     else
-        return {material, diffuse, uniform_rgb<R>(material.value[diffuse]) * albedo};
+        return {&material, diffuse, uniform_rgb<R>(material.value[diffuse]) * albedo};
 }
 
 template <Real R>
@@ -141,6 +141,22 @@ private:
     PointReport<T>& into_;
 };
 
+/// What a material does at points of one albedo, whichever light falls there.
+template <class Model, Real R>
+struct Reflector {
+    Reflector(const Lighting<Scalar<R>>& lighting, const MaterialParams<Scalar<R>>& material,
+              const Rgb<R>& of)
+        : albedo(of),
+          params(param_pack<Model, R>(material, of)),
+          ambient(ambient_term(uniform_rgb<R>(lighting.ambient), uniform_rgb<R>(material.ka) * of)),
+          emission(uniform_rgb<R>(material.emission)),
+          unreflected(ambient + emission) {}
+
+    Rgb<R> albedo;
+    ParamPack<R> params;
+    Rgb<R> ambient, emission, unreflected;
+};
+
 template <class Model, Real R, class Watching = NoWitness>
 SpanEvents illuminate_span(const SurfaceSpan<Scalar<R>>& span, const Lighting<Scalar<R>>& lighting,
                            const MaterialParams<Scalar<R>>& of,
@@ -149,23 +165,21 @@ SpanEvents illuminate_span(const SurfaceSpan<Scalar<R>>& span, const Lighting<Sc
     // A copy: what a branch reads through a reference would be computed again for every light.
     const MaterialParams<Scalar<R>> material = of;
     SpanEvents events;
+    Reflector<Model, R> reflector(lighting, material, {R(1), R(1), R(1)});
     for (std::size_t i = 0; i < span.count; i += RealTraits<R>::width) {
         const Vec3<R> P = load_vec3<R>(span.position, i);
         const Vec3<R> n = normalise(load_vec3<R>(span.normal, i));
-        const Vec3<R> wo = normalise(uniform_vec3<R>(lighting.eye) - P * R(lighting.eye_scale));
+        const Vec3<R> wo =
+            normalise(mul_add(P, R(-lighting.eye_scale), uniform_vec3<R>(lighting.eye)));
 
-        Rgb<R> albedo{R(1), R(1), R(1)};
         if (span.albedo[0] != nullptr)
-            albedo = {RealTraits<R>::load(span.albedo[0] + i),
-                      RealTraits<R>::load(span.albedo[1] + i),
-                      RealTraits<R>::load(span.albedo[2] + i)};
-        const ParamPack<R> params = param_pack<Model, R>(material, albedo);
-        const Rgb<R> ambient =
-            ambient_term(uniform_rgb<R>(lighting.ambient), uniform_rgb<R>(material.ka) * albedo);
-        const Rgb<R> emission = uniform_rgb<R>(material.emission);
-        Rgb<R> L = ambient + emission;
-        if constexpr (watched) witness.point(P, n, wo, albedo);
-        if constexpr (watched) witness.unreflected(ambient, emission);
+            reflector = Reflector<Model, R>(
+                lighting, material,
+                {RealTraits<R>::load(span.albedo[0] + i), RealTraits<R>::load(span.albedo[1] + i),
+                 RealTraits<R>::load(span.albedo[2] + i)});
+        Rgb<R> L = reflector.unreflected;
+        if constexpr (watched) witness.point(P, n, wo, reflector.albedo);
+        if constexpr (watched) witness.unreflected(reflector.ambient, reflector.emission);
         for (const LightTerm<Scalar<R>>& light : lighting.lights) {
             const Vec3<R> to_light =
                 mul_add(P, R(-light.point_scale), uniform_vec3<R>(light.position));
@@ -174,11 +188,11 @@ SpanEvents illuminate_span(const SurfaceSpan<Scalar<R>>& span, const Lighting<Sc
             const Vec3<R> wi = to_light * inv_distance;
             const Cosines<R> c = cosines(n, wi, wo);
             const R factor = select(c.n_i > R(0), arriving(light, wi, distance), R(0));
-            const Rgb<R> f_cos = Model::f_cos(c, params);
+            const Rgb<R> f_cos = Model::f_cos(c, reflector.params);
             const Rgb<R> irradiance = uniform_rgb<R>(light.irradiance);
             L = light_term(factor, irradiance, f_cos, L);
             if constexpr (watched)
-                witness.light(light, wi, distance, factor, c, params, f_cos,
+                witness.light(light, wi, distance, factor, c, reflector.params, f_cos,
                               light_term(factor, irradiance, f_cos));
             if (light.touches) events.light_at_surface += count_nearer<R>(span, i, distance, light);
         }

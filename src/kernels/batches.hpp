@@ -24,7 +24,6 @@ inline constexpr std::uint32_t no_ref = 0xffffffffu;
 /// and planes count pixels from the face's origin. Those of faces in batches are exact in float: whole
 /// numbers below 2^24.
 enum BatchRow : int {
-    row_id,        // uint32: the (first) triangle in the whole scene
     row_corners,   // uint32: as in ClusteredMesh, and back_bit where seen from behind
     row_origin_x,  // float, a multiple of 4
     row_origin_y,  // float
@@ -59,17 +58,23 @@ struct Attributes {
 inline constexpr int most_values = 3 + 3 + 2 + 3;
 inline constexpr int most_rows = row_quad_attributes + 4 * most_values;
 
-/// Rows of a batch of fragments: `lanes` samples of triangles too small to be worth planes. row_id and
-/// row_corners are those of the triangles.
+/// Rows of a batch of fragments: `lanes` samples of triangles too small to be worth planes.
+/// row_corners is that of the triangles.
 enum FragmentRow : int {
     fragment_depth = row_corners + 1,
     fragment_at,      // uint32: index of the sample in its tile
-    fragment_values,  // 3: normal · z (Phong); weights of the corners, then radiance (Gouraud);
-                      // radiance (flat)
+    fragment_values,  // 3: normal · z (Phong); radiance (Gouraud, flat)
     fragment_rows = fragment_values + 3,
+
+    // Gouraud, until light is known: what a batch of triangles has, and the sample
+    fragment_weights = fragment_values,  // 9: planes of the corners' weights
+    fragment_x = fragment_weights + 9,   // float, from the triangle's origin
+    fragment_y,                          // float
+    fragment_unscale,                    // what scales a plane's value
+    fragment_gouraud_rows,
 };
 
-/// Of one triangle.
+/// Of one triangle, on the average of a cluster.
 inline constexpr std::uint32_t most_fragments = 4;
 
 /// What all triangles or fragments of a batch have in common.

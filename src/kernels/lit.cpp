@@ -8,7 +8,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "kernels/vectors.hpp"
+#include "kernels/setup_batch.hpp"
 
 SCANSHADE_TARGET_BEGIN;
 
@@ -53,17 +53,6 @@ private:
     bool no_back_, no_front_;
 };
 
-void fill_fragments_here(float* batch, const VertexLight& light) {
-    const CornerSlots<3> slots(batch, light);
-    VecF weight[3];
-    for (int k = 0; k < 3; ++k) weight[k] = hn::Load(tag_f, batch + (fragment_values + k) * N);
-    for (int c = 0; c < 3; ++c) {
-        VecF sum = hn::Mul(weight[2], slots.radiance(c, 2));
-        for (int k = 1; k >= 0; --k) sum = hn::MulAdd(slots.radiance(c, k), weight[k], sum);
-        hn::Store(sum, tag_f, batch + (fragment_values + c) * N);
-    }
-}
-
 void fill_quads_here(float* batch, int to, const VertexLight& light) {
     const CornerSlots<4> slots(batch, light);
     for (int c = 0; c < 3; ++c)
@@ -71,21 +60,41 @@ void fill_quads_here(float* batch, int to, const VertexLight& light) {
             hn::Store(slots.radiance(c, k), tag_f, batch + (to + 4 * c + k) * N);
 }
 
-/// Σ radiance_i · (plane of corner i's weight): the weights' planes are replaced.
-void fill_here(float* batch, int weights, int to, const VertexLight& light) {
-    const CornerSlots<3> slots(batch, light);
-    VecF weight[9];
-    for (int r = 0; r < 9; ++r) weight[r] = hn::Load(tag_f, batch + (weights + r) * N);
-    for (int c = 0; c < 3; ++c) {
-        VecF L[3];
-        for (int k = 0; k < 3; ++k) L[k] = slots.radiance(c, k);
-        for (int part = 0; part < 3; ++part) {
-            const VecF sum =
-                hn::MulAdd(L[0], weight[part],
-                           hn::MulAdd(L[1], weight[3 + part], hn::Mul(L[2], weight[6 + part])));
-            hn::Store(sum, tag_f, batch + (to + 3 * c + part) * N);
-        }
+/// Planes of radiance, Σ radiance_i · (plane of corner i's weight).
+class LitPlanes {
+public:
+    LitPlanes(const float* batch, int weights, const VertexLight& light) : slots_(batch, light) {
+        for (int r = 0; r < 9; ++r) weight_[r] = hn::Load(tag_f, batch + (weights + r) * N);
     }
+    HWY_INLINE ScreenPlane<Lanes> of(int c) const {
+        VecF L[3];
+        for (int k = 0; k < 3; ++k) L[k] = slots_.radiance(c, k);
+        const auto sum = [&](int part) HWY_ATTR {
+            return Lanes(
+                hn::MulAdd(L[0], weight_[part],
+                           hn::MulAdd(L[1], weight_[3 + part], hn::Mul(L[2], weight_[6 + part]))));
+        };
+        return {sum(0), sum(1), sum(2)};
+    }
+
+private:
+    const CornerSlots<3> slots_;
+    VecF weight_[9];
+};
+
+/// The weights' planes are replaced.
+void fill_here(float* batch, int weights, int to, const VertexLight& light) {
+    const LitPlanes planes(batch, weights, light);
+    for (int c = 0; c < 3; ++c) RowWriter(batch).store_plane(to + 3 * c, planes.of(c));
+}
+
+/// With the bits that resolve finds for a triangle in a batch.
+void fill_fragments_here(float* batch, const VertexLight& light) {
+    const LitPlanes planes(batch, fragment_weights, light);
+    const auto row = [&](int r) HWY_ATTR { return Lanes(hn::Load(tag_f, batch + r * N)); };
+    const Lanes x = row(fragment_x), y = row(fragment_y), unscale = row(fragment_unscale);
+    for (int c = 0; c < 3; ++c)
+        RowWriter(batch).store(fragment_values + c, (fused_value(planes.of(c), x, y) * unscale).v);
 }
 
 void place_vertices_here(const ClusteredMesh& mesh, const PlacedMesh& placed, std::uint32_t slot,

@@ -44,13 +44,6 @@ HWY_INLINE void put(const RasterView& view, VecF z, MaskF inside, std::uint32_t 
               tag_i, as_int(refs));
 }
 
-/// Column and row of a block's samples, vector by vector.
-struct BlockGrid {
-    alignas(64) float x[block_samples] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
-    alignas(64) float y[block_samples] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
-};
-constexpr BlockGrid grid;
-
 constexpr int block_at(int column, int row) {
     return (row * tile_block_columns + column) * block_samples;
 }

@@ -210,15 +210,16 @@ inline void draw_fragments(const RasterView& view, int x, int y, const std::uint
         const float* rows = view.fragments->batch(runs[i] / std::uint32_t(N));
         const float* depth = rows + fragment_depth * N;
         const auto* at = reinterpret_cast<const std::uint32_t*>(rows) + fragment_at * N;
-        const auto* id = reinterpret_cast<const std::uint32_t*>(rows) + row_id * N;
         for (std::uint32_t k = first; k < first + runs[i + 1]; ++k) {
             float& there = tile.depth[at[k]];
             std::uint32_t& ref = tile.ref[at[k]];
+            const std::uint32_t fragment = fragment_bit | (runs[i] + k - first);
             if (!(depth[k] > there) &&
-                !(depth[k] == there && (ref == no_ref || ref_id(view, ref) > id[k])))
+                !(depth[k] == there &&
+                  (ref == no_ref || ref_id(view, ref) > ref_id(view, fragment))))
                 continue;
             there = depth[k];
-            ref = fragment_bit | (runs[i] + k - first);
+            ref = fragment;
         }
     }
 }

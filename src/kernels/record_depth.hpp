@@ -7,88 +7,71 @@
 #endif
 
 #include "kernels/engine_data.hpp"
+#include "kernels/lanes64.hpp"
 #include "kernels/screen_plane.hpp"
 #include "kernels/screen_quad.hpp"
-#include "kernels/vectors.hpp"
 
 SCANSHADE_TARGET_BEGIN;
 
-/// Where the samples of a vector are, in pixels from the picture's corner.
+/// Column and row of a block's samples, vector by vector.
+struct BlockGrid {
+    alignas(64) float x[block_samples] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+    alignas(64) float y[block_samples] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+};
+constexpr BlockGrid grid;
+
+/// Where the samples of a vector are, in pixels from the picture's corner: whole numbers.
 struct Positions {
-    VecI x, y;
+    VecF x, y;
 };
 
 /// Vector v of the block whose corner is (x, y).
-inline Positions block_positions(int x, int y, int v) {
-    const VecI i = hn::Add(hn::Iota(tag_i, 0), hn::Set(tag_i, v * N));
-    return {hn::Add(hn::And(i, hn::Set(tag_i, 3)), hn::Set(tag_i, x)),
-            hn::Add(hn::ShiftRight<2>(i), hn::Set(tag_i, y))};
+HWY_INLINE Positions block_positions(int x, int y, int v) {
+    return {hn::Add(hn::Load(tag_f, grid.x + v * N), hn::Set(tag_f, float(x))),
+            hn::Add(hn::Load(tag_f, grid.y + v * N), hn::Set(tag_f, float(y)))};
 }
-
-/// Numbers of the samples of a vector, N64 at a time, in double.
-struct WidePositions {
-    alignas(64) std::int32_t x[N], y[N];
-    explicit WidePositions(const Positions& at) {
-        hn::Store(at.x, tag_i, x);
-        hn::Store(at.y, tag_i, y);
-    }
-};
 
 /// λ_i of a triangle by exact edge functions: whole numbers below 2^53 until the last product.
 inline void triangle_weights(const Record& r, const Positions& at, VecF (&lambda)[3]) {
-    const WidePositions wide(at);
-    alignas(64) float out[3][N];
-    for (int part = 0; part < N; part += N64) {
-        const Lanes64 x = widen(wide.x + part), y = widen(wide.y + part);
-        for (int i = 0; i < 3; ++i) {
-            const Lanes64 e =
-                (Lanes64(r.weight_x[i]) * x + Lanes64(r.weight_y[i]) * y) + Lanes64(r.weight_c[i]);
-            store_narrow(e * Lanes64(r.inv_area), out[i] + part);
-        }
+    const Lanes64 x = widen(at.x), y = widen(at.y);
+    for (int i = 0; i < 3; ++i) {
+        const Lanes64 e =
+            (Lanes64(r.weight_x[i]) * x + Lanes64(r.weight_y[i]) * y) + Lanes64(r.weight_c[i]);
+        lambda[i] = narrow(e * Lanes64(r.inv_area));
     }
-    for (int i = 0; i < 3; ++i) lambda[i] = hn::Load(tag_f, out[i]);
 }
 
-/// λ_i ≥ 0 of a clipped triangle by homogeneous edge functions, not normalised, N64 at a time.
-inline void clipped_weights(const RasterView& view, const Record& r, Lanes64 x, Lanes64 y,
+/// λ_i ≥ 0 of a clipped triangle by homogeneous edge functions, not normalised.
+inline void clipped_weights(const RasterView& view, const Record& r, const Positions& at,
                             Lanes64 (&lambda)[3]) {
-    const auto centred = [](Lanes64 p, int sample, int size) HWY_ATTR {
+    const auto centred = [](const Lanes64& p, int sample, int size) HWY_ATTR {
         return (p * Lanes64(256) + Lanes64(sample)) / Lanes64(256) - Lanes64(size / 2.0);
     };
-    const Lanes64 X = centred(x, view.sample_x, view.width);
-    const Lanes64 Y = centred(y, view.sample_y, view.height);
-    hn::Mask<Tag64> any;
+    const Lanes64 X = centred(widen(at.x), view.sample_x, view.width);
+    const Lanes64 Y = centred(widen(at.y), view.sample_y, view.height);
+    const Lanes64 zero(0);
+    Lanes64::Mask any = zero > zero;
     for (int i = 0; i < 3; ++i) {
         const Lanes64 l =
             (Lanes64(r.weight_x[i]) * X + Lanes64(r.weight_y[i]) * Y) + Lanes64(r.weight_c[i]);
-        const auto positive = hn::Gt(l.v, hn::Zero(tag_64));
-        lambda[i] = Lanes64(hn::IfThenElseZero(positive, l.v));
-        any = i == 0 ? positive : hn::Or(any, positive);
+        const Lanes64::Mask positive = l > zero;
+        lambda[i] = select(positive, l, zero);
+        any = mask_or(any, positive);
     }
     // All three are below zero only for a sample far outside by rounding: take the middle.
-    for (int i = 0; i < 3; ++i)
-        lambda[i] = Lanes64(hn::IfThenElse(any, lambda[i].v, hn::Set(tag_64, 1.0)));
+    for (Lanes64& l : lambda) l = select(any, l, Lanes64(1));
 }
 
 inline VecF clipped_depth(const RasterView& view, const Record& r, const Positions& at) {
-    const WidePositions wide(at);
-    alignas(64) float out[N];
-    for (int part = 0; part < N; part += N64) {
-        Lanes64 lambda[3];
-        clipped_weights(view, r, widen(wide.x + part), widen(wide.y + part), lambda);
-        const Lanes64 sum = lambda[0] + lambda[1] + lambda[2];
-        Lanes64 depth = Lanes64(double(view.near)) * (sum * Lanes64(r.sum_to_inv_w));
-        if (view.orthographic) {
-            depth = Lanes64(0);
-            for (int i = 0; i < 3; ++i)
-                depth = depth + lambda[i] / sum * Lanes64(double(r.corner_w[i]));
-        }
-        store_narrow(depth, out + part);
-    }
-    const VecF z = hn::Load(tag_f, out);
-    if (!view.orthographic) return z;
-    const VecF share =
-        hn::Div(hn::Sub(z, hn::Set(tag_f, view.near)), hn::Set(tag_f, view.far - view.near));
+    Lanes64 lambda[3];
+    clipped_weights(view, r, at, lambda);
+    const Lanes64 sum = lambda[0] + lambda[1] + lambda[2];
+    if (!view.orthographic)
+        return narrow(Lanes64(double(view.near)) * (sum * Lanes64(r.sum_to_inv_w)));
+    Lanes64 w(0);
+    for (int i = 0; i < 3; ++i) w = w + lambda[i] / sum * Lanes64(double(r.corner_w[i]));
+    const VecF share = hn::Div(hn::Sub(narrow(w), hn::Set(tag_f, view.near)),
+                               hn::Set(tag_f, view.far - view.near));
     return hn::Sub(hn::Set(tag_f, 1.0f), hn::Mul(hn::Set(tag_f, 0.5f), share));
 }
 
@@ -105,8 +88,7 @@ HWY_INLINE ScreenQuad<Lanes> quad_from(const float* rows, int stride) {
 
 /// Depth, with the bits of the scalar renderers.
 inline VecF record_depth(const RasterView& view, const Record& r, const Positions& at) {
-    const Lanes x(to_float(hn::Sub(at.x, hn::Set(tag_i, r.origin_x))));
-    const Lanes y(to_float(hn::Sub(at.y, hn::Set(tag_i, r.origin_y))));
+    const Lanes x = Lanes(at.x) - Lanes(r.origin_x), y = Lanes(at.y) - Lanes(r.origin_y);
     if (r.depth == Record::Depth::plane) {
         const float* depth = r.rows + row_depth;
         return plane_value(ScreenPlane<Lanes>{Lanes(depth[0]), Lanes(depth[1]), Lanes(depth[2])}, x,

@@ -74,7 +74,6 @@ private:
         s.number = number;
         s.at = block_positions(x_ + block % columns * block_side, y_ + block / columns * block_side,
                                at % block_samples / N);
-        s.x = to_float(s.at.x), s.y = to_float(s.at.y);
         const VecI ref = hn::Load(tag_i, as_int(tile_.ref + at));
         const MaskI covered = hn::Ne(ref, hn::Set(tag_i, std::int32_t(no_ref)));
         s.z = hn::IfThenElse(hn::RebindMask(tag_f, covered), hn::Load(tag_f, tile_.depth + at),
@@ -120,7 +119,6 @@ private:
             out_.tile_at[s.number] = std::uint16_t(tile_index(column, row) + v * N);
             store(out_.counted, s.number, one);
             s.at = block_positions(x_ + column, y_ + row, v);
-            s.x = to_float(s.at.x), s.y = to_float(s.at.y);
             s.z = record_depth(view_.raster, r, s.at);
             s.inv_z = reciprocal(Lanes(s.z)).v;
             if (view_.position_from_depth) recover_position(s);

@@ -15,7 +15,6 @@ SCANSHADE_TARGET_BEGIN;
 /// One vector of samples.
 struct Samples {
     Positions at;
-    VecF x, y;             // at, in float
     VecF z, inv_z;         // 1 where there is no surface
     std::uint32_t number;  // of the vector in the surface
 };
@@ -50,22 +49,19 @@ public:
     HWY_INLINE PlaneLookup(const Rows& rows, const Samples& s, const Attributes& attributes)
         : at(attributes),
           rows_(rows),
-          x_(hn::Sub(s.x, rows.row(row_origin_x))),
-          y_(hn::Sub(s.y, rows.row(row_origin_y))) {}
+          x_(hn::Sub(s.at.x, rows.row(row_origin_x))),
+          y_(hn::Sub(s.at.y, rows.row(row_origin_y))) {}
     HWY_INLINE VecF row(int r) const { return rows_.row(r); }
-    HWY_INLINE VecF value(int r) const {
-        return hn::MulAdd(row(r + 1), x_, hn::MulAdd(row(r + 2), y_, row(r)));
-    }
+    HWY_INLINE VecF value(int r) const { return fused_value(plane(r), Lanes(x_), Lanes(y_)).v; }
     /// With the bits of the scalar renderers.
-    VecF depth() const {
-        return plane_value(ScreenPlane<Lanes>{Lanes(row(row_depth)), Lanes(row(row_depth + 1)),
-                                              Lanes(row(row_depth + 2))},
-                           Lanes(x_), Lanes(y_))
-            .v;
-    }
+    VecF depth() const { return plane_value(plane(row_depth), Lanes(x_), Lanes(y_)).v; }
     const Attributes& at;
 
 private:
+    HWY_INLINE ScreenPlane<Lanes> plane(int r) const {
+        return {Lanes(row(r)), Lanes(row(r + 1)), Lanes(row(r + 2))};
+    }
+
     Rows rows_;
     VecF x_, y_;
 };
@@ -77,7 +73,7 @@ public:
     static constexpr bool planes = false;
     HWY_INLINE QuadLookup(const Rows& rows, const Samples& s, const Attributes& attributes)
         : at(attributes), rows_(rows) {
-        const VecF X = hn::Sub(s.x, row(row_origin_x)), Y = hn::Sub(s.y, row(row_origin_y));
+        const VecF X = hn::Sub(s.at.x, row(row_origin_x)), Y = hn::Sub(s.at.y, row(row_origin_y));
         VecF x[4], t[4], left = hn::Zero(tag_f), right = hn::Set(tag_f, 1.0f);
         MaskF above[4], up[4], down[4];  // whether the corner is not below the row
         for (int k = 0; k < 4; ++k) {

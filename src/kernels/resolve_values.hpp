@@ -92,17 +92,12 @@ protected:
     }
 
     void clipped_record_weights(const Samples& s, const Record& r, VecF (&w)[3]) {
-        const WidePositions wide(s.at);
-        alignas(64) float out[3][N];
-        for (int part = 0; part < N; part += N64) {
-            Lanes64 lambda[3];
-            clipped_weights(view_.raster, r, widen(wide.x + part), widen(wide.y + part), lambda);
-            if (r.affine)
-                for (int i = 0; i < 3; ++i) lambda[i] = lambda[i] * Lanes64(double(r.corner_w[i]));
-            const Lanes64 sum = lambda[0] + lambda[1] + lambda[2];
-            for (int i = 0; i < 3; ++i) store_narrow(lambda[i] / sum, out[i] + part);
-        }
-        for (int i = 0; i < 3; ++i) w[i] = hn::Load(tag_f, out[i]);
+        Lanes64 lambda[3];
+        clipped_weights(view_.raster, r, s.at, lambda);
+        if (r.affine)
+            for (int i = 0; i < 3; ++i) lambda[i] = lambda[i] * Lanes64(double(r.corner_w[i]));
+        const Lanes64 sum = lambda[0] + lambda[1] + lambda[2];
+        for (int i = 0; i < 3; ++i) w[i] = narrow(lambda[i] / sum);
     }
 
     void resolve_record_values(const Samples& s, const Record& r, const VecF (&w)[3], MaskF mask) {
@@ -144,9 +139,9 @@ protected:
         const VecF near = hn::Set(tag_f, v.raster.near);
         VecF ray[3];
         for (int c = 0; c < 3; ++c)
-            ray[c] =
-                hn::MulAdd(s.x, hn::Set(tag_f, v.ray_x[c]),
-                           hn::MulAdd(s.y, hn::Set(tag_f, v.ray_y[c]), hn::Set(tag_f, v.ray[c])));
+            ray[c] = hn::MulAdd(
+                s.at.x, hn::Set(tag_f, v.ray_x[c]),
+                hn::MulAdd(s.at.y, hn::Set(tag_f, v.ray_y[c]), hn::Set(tag_f, v.ray[c])));
         if (v.raster.orthographic) {
             const VecF range = hn::Set(tag_f, 2 * (v.raster.far - v.raster.near));
             const VecF d = hn::MulAdd(hn::Sub(hn::Set(tag_f, 1.0f), s.z), range, near);

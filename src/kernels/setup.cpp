@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <limits>
 
 #include "kernels/engine_data.hpp"
@@ -31,10 +32,9 @@ public:
         if (tiny_ * 2 > queued_ && of_.object.fragments && !of_.material.textured) {
             divide();
             FragmentWriter fragments(of_, to_.fragments, worker_);
-            each(divided_queue_, divided_,
-                 [&](const Triangles& t, std::uint32_t, MaskI kept)
-                     HWY_ATTR { fragments.write(t, kept); });
-            fragments.finish();
+            each(fragment_queue_, fragments_,
+                 [&](const Triangles& t, std::uint32_t count, MaskI kept)
+                     HWY_ATTR { fragments.write(t, count, kept); });
         }
         BatchWriter batches(of_, to_.batches, worker_);
         each(queue_, queued_, [&](const Triangles& t, std::uint32_t count, MaskI kept) HWY_ATTR {
@@ -71,9 +71,9 @@ private:
     }
 
     void count_tiny(MaskI alive, const Boxes& box) {
-        const VecI two = hn::Set(tag_i, 2);
+        const VecI side = hn::Set(tag_i, most_fragment_side);
         const MaskI tiny =
-            hn::And(hn::Lt(hn::Sub(box.x1, box.x0), two), hn::Lt(hn::Sub(box.y1, box.y0), two));
+            hn::And(hn::Lt(hn::Sub(box.x1, box.x0), side), hn::Lt(hn::Sub(box.y1, box.y0), side));
         tiny_ += std::uint32_t(hn::CountTrue(tag_i, hn::And(alive, tiny)));
     }
 
@@ -90,36 +90,52 @@ private:
         });
     }
 
+    void divert_once(std::uint32_t face) {
+        if (!diverted_.test(face)) of_.divert(face, worker_);
+        diverted_.set(face);
+    }
+
     void count_no_area(MaskI lanes, std::uint32_t first) {
         for_each_lane(lanes, [&](std::uint32_t lane) {
             worker_.events.add(Event::zero_area, first + lane < of_.cluster.face_count);
         });
     }
 
-    /// Moves triangles whose box holds up to 2 × 2 samples to a queue of their own, if they cover
-    /// any.
+    /// Leaves larger triangles in the queue, and those for whose fragments there might be no room; puts
+    /// the samples that the others cover into a queue of their own.
     void divide() {
-        const VecI one = hn::Set(tag_i, 1);
+        const VecI side = hn::Set(tag_i, most_fragment_side - 1);
+        constexpr std::uint32_t most_covered = most_fragment_side * most_fragment_side;
+        const std::uint32_t room = most_fragments * of_.cluster.face_count;
         std::uint32_t kept = 0;
         for (std::uint32_t i = 0; i < queued_; i += std::uint32_t(N)) {
-            const MaskI used = hn::FirstN(tag_i, std::min(queued_ - i, std::uint32_t(N)));
+            const std::uint32_t count = std::min(queued_ - i, std::uint32_t(N));
+            const MaskI used = hn::FirstN(tag_i, count);
             const VecI packed = hn::IfThenElseZero(used, hn::LoadU(tag_i, queue_ + i));
+            if (fragments_ + count * most_covered > room) {
+                kept += compress_append(packed, used, queue_ + kept);
+                continue;
+            }
             const Corners<3> c = fetch<3>(of_.vertices, packed);
             const Boxes box = boxes_of(c, of_.view);
-            const MaskI larger =
-                hn::Or(hn::Gt(hn::Sub(box.x1, box.x0), one), hn::Gt(hn::Sub(box.y1, box.y0), one));
-            const Edges<3> edges = edges_of(c, box, of_.view);
-            MaskI any = hn::MaskFromVec(hn::Zero(tag_i));
-            for (int y = 0; y < 2; ++y)
-                for (int x = 0; x < 2; ++x) any = hn::Or(any, covers(edges, box, x, y));
-            divided_ += compress_append(packed, hn::And(used, hn::AndNot(larger, any)),
-                                        divided_queue_ + divided_);
+            const MaskI larger = hn::Or(hn::Gt(hn::Sub(box.x1, box.x0), side),
+                                        hn::Gt(hn::Sub(box.y1, box.y0), side));
             kept += compress_append(packed, hn::And(used, larger), queue_ + kept);
+            const Edges<3> edges = edges_of(c, box, of_.view);
+            const MaskI small = hn::AndNot(larger, used);
+            for (int y = 0; y < most_fragment_side; ++y)
+                for (int x = 0; x < most_fragment_side; ++x) {
+                    const int place = (x + (y << fragment_side_bits)) << fragment_shift;
+                    fragments_ += compress_append(hn::Or(packed, hn::Set(tag_i, place)),
+                                                  hn::And(small, covers(edges, box, x, y)),
+                                                  fragment_queue_ + fragments_);
+                }
         }
         queued_ = kept;
     }
 
-    /// Calls take(triangles, count, kept) for the triangles of a queue, N at a time.
+    /// Calls take(triangles, count, kept) for the triangles of a queue, N at a time. In that of
+    /// fragments one stands for each.
     template <class Take>
     void each(const std::int32_t* queue, std::uint32_t queued, Take&& take) {
         for (std::uint32_t first = 0; first < queued; first += std::uint32_t(N)) {
@@ -132,7 +148,7 @@ private:
             const MaskI needles = hn::AndNot(serve, used);
             if (!hn::AllFalse(tag_i, needles))
                 for_each_lane(needles, [&](std::uint32_t lane) {
-                    of_.divert(std::uint32_t(queue[first + lane]) >> number_shift, worker_);
+                    divert_once(std::uint32_t(queue[first + lane]) >> number_shift);
                 });
             const MaskI kept = hn::And(serve, used);
             if (!hn::AllFalse(tag_i, kept)) take(t, count, kept);
@@ -146,8 +162,11 @@ private:
     // What may cover a sample: corners and number as packed in ClusteredMesh.
     alignas(64) std::int32_t queue_[max_cluster_triangles + 2 * cluster_padding];
     std::uint32_t queued_ = 0, tiny_ = 0;
-    alignas(64) std::int32_t divided_queue_[max_cluster_triangles + 2 * cluster_padding];
-    std::uint32_t divided_ = 0;
+    // Such triangles once for each sample that they cover, the sample noted as FragmentWriter has it.
+    alignas(64) std::int32_t
+        fragment_queue_[most_fragments * max_cluster_triangles + 2 * cluster_padding];
+    std::uint32_t fragments_ = 0;
+    std::bitset<face_numbers> diverted_;  // for which planes do not serve
 };
 
 void setup_one(const SetupView& view, const SetupObject& object, std::uint32_t number, bool clip,
@@ -185,7 +204,6 @@ void prefetch_cluster(const SetupObject& object, std::uint32_t number) {
     for (const LargeVector<float>* axis : {&mesh.x, &mesh.y, &mesh.z})
         fetch(axis->data() + cluster.first_vertex, cluster.vertex_count);
     fetch(mesh.corners.data() + cluster.first_face, cluster.face_count);
-    fetch(mesh.triangle.data() + cluster.first_face, cluster.face_count);
     if (object.shading == Shading::phong)
         for (const float* axis : object.normal)
             fetch(axis + cluster.first_vertex, cluster.vertex_count);

@@ -24,15 +24,13 @@ public:
     }
 
     /// blocks: in the place that row_extent has for them.
-    void store_face(const ClusterContext& of, const Boxes& box, VecI ox, VecI oy, VecI packed,
-                    VecI blocks) const {
+    void store_face(const Boxes& box, VecI ox, VecI oy, VecI packed, VecI blocks) const {
         store(row_origin_x, to_float(ox));
         store(row_origin_y, to_float(oy));
         const VecI columns = hn::ShiftRight<2>(hn::Sub(box.x1, ox));
         const VecI rows = hn::ShiftRight<2>(hn::Sub(box.y1, oy));
         store_int(row_extent, hn::Or(hn::Or(columns, hn::ShiftLeft<8>(rows)), blocks));
         store_int(row_corners, packed);
-        store_int(row_id, triangle_ids(of, packed));
     }
 
     template <int K>
@@ -140,8 +138,7 @@ public:
         edges_at_origin(t.edges, t.box, t.ox, t.oy, at_origin);
         rows_.store_edges(t.edges, at_origin);
         rows_.store_plane(row_depth, t.depth);
-        rows_.store_face(of_, t.box, t.ox, t.oy, t.corners.packed,
-                         touched_blocks(t.edges, at_origin));
+        rows_.store_face(t.box, t.ox, t.oy, t.corners.packed, touched_blocks(t.edges, at_origin));
         store_attributes(t.corners, weights_of(t, of_.view.affine));
         list_faces(of_.view, t.box, kept, number, worker_.triangles);
     }

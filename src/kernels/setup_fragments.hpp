@@ -6,19 +6,22 @@
 #define SCANSHADE_KERNELS_SETUP_FRAGMENTS_HPP
 #endif
 
-#include <algorithm>
-
-#include "kernels/setup_geometry.hpp"
+#include "kernels/setup_batch.hpp"
 
 SCANSHADE_TARGET_BEGIN;
 
-/// Where a triangle of a box of up to 2 × 2 samples covers the one that is (x, y) from its first.
-inline MaskI covers(const Edges<3>& edges, const Boxes& box, int x, int y) {
+/// A fragment on its way: its triangle as packed in ClusteredMesh, and which sample of the box it is,
+/// where a face of four corners has the last.
+constexpr int fragment_shift = 3 * corner_bits, fragment_side_bits = 2;
+constexpr int most_fragment_side = 3;  // samples of a box, across and down
+
+/// Where triangles cover the sample that is (x, y) from the first of their boxes.
+HWY_INLINE MaskI covers(const Edges<3>& edges, const Boxes& box, int x, int y) {
     VecI least = hn::Set(tag_i, 0x7fffffff);
     for (int k = 0; k < 3; ++k) {
         VecI v = edges.inside[k];
-        if (x) v = hn::Add(v, edges.A[k]);
-        if (y) v = hn::Add(v, edges.B[k]);
+        for (int i = 0; i < x; ++i) v = hn::Add(v, edges.A[k]);
+        for (int i = 0; i < y; ++i) v = hn::Add(v, edges.B[k]);
         least = hn::Min(least, v);
     }
     const MaskI inside = hn::Gt(least, hn::Set(tag_i, -1));
@@ -28,92 +31,48 @@ inline MaskI covers(const Edges<3>& edges, const Boxes& box, int x, int y) {
     return hn::And(inside, in_box);
 }
 
-/// Packs the covered samples of one cluster into batches of its own.
+/// Writes batches of fragments.
 class FragmentWriter {
 public:
     FragmentWriter(const ClusterContext& of, BatchStore& store, SetupWorker& worker)
         : of_(of), store_(store), worker_(worker) {}
 
-    /// Triangles whose boxes hold up to 2 × 2 samples.
-    void write(const Triangles& t, MaskI kept) {
-        ScreenPlane<Lanes> values[3];
-        if (has_weights())
-            std::copy_n(weights_of(t, of_.view.affine).of, 3, values);
-        else if (of_.material.store_normals)
-            normal_planes(t, values);
-        else
-            std::fill_n(values, 3, ScreenPlane<Lanes>{Lanes(0), Lanes(0), Lanes(0)});
-        const VecI id = triangle_ids(of_, t.corners.packed);
-        for (int y = 0; y < 2; ++y)
-            for (int x = 0; x < 2; ++x) {
-                const MaskI mask = hn::And(kept, covers(t.edges, t.box, x, y));
-                if (hn::AllFalse(tag_i, mask)) continue;
-                append(t, values, id, hn::Add(t.box.x0, hn::Set(tag_i, x)),
-                       hn::Add(t.box.y0, hn::Set(tag_i, y)), mask);
-            }
-    }
+    /// A batch of `count` fragments, of the triangles `t`; lists those of `kept`. With the bits that
+    /// raster and resolve find for a triangle in a batch.
+    void write(const Triangles& t, std::uint32_t count, MaskI kept) {
+        const VecI last = hn::Set(tag_i, (1 << fragment_side_bits) - 1);
+        const VecI place = hn::ShiftRight<fragment_shift>(t.corners.packed);
+        const VecI px = hn::Add(t.box.x0, hn::And(place, last));
+        const VecI py = hn::Add(t.box.y0, hn::And(hn::ShiftRight<fragment_side_bits>(place), last));
+        const Lanes X(to_float(hn::Sub(px, t.ox))), Y(to_float(hn::Sub(py, t.oy)));
 
-    void finish() {
-        if (count_ == 0) return;
-        // Unused lanes name some vertex, too.
-        hn::StoreU(hn::Zero(tag_i), tag_i, staged_[row_corners] + count_);
-        store_batch(count_);
+        const std::uint32_t number = worker_.fragment_run.fresh(store_);
+        store_.info(number) = of_.batch_info(count);
+        const RowWriter rows(store_.batch(number));
+        const Lanes depth = plane_value(t.depth, X, Y);
+        rows.store(fragment_depth, depth.v);
+        rows.store_int(row_corners, t.corners.packed);
+        rows.store_int(fragment_at, index_in_tile(px, py));
+        const Weights w = weights_of(t, of_.view.affine);
+        if (of_.object.shading == Shading::gouraud) {
+            for (int k = 0; k < 3; ++k) rows.store_plane(fragment_weights + 3 * k, w.of[k]);
+            rows.store(fragment_x, X.v), rows.store(fragment_y, Y.v);
+            rows.store(fragment_unscale, (of_.view.affine ? Lanes(1) : reciprocal(depth)).v);
+        } else if (of_.material.store_normals) {
+            store_normals(rows, t.corners, turned_weights(t.corners, w), X, Y);
+        }
+        list(number, count, kept, px, py);
     }
 
 private:
-    // Beside the rows of a batch, where on the picture.
-    enum { column = fragment_rows, line, staged_rows };
-
-    bool has_weights() const { return of_.object.shading == Shading::gouraud; }
-
-    void normal_planes(const Triangles& t, ScreenPlane<Lanes> (&normal)[3]) const {
-        const Weights w = turned_weights(t.corners, weights_of(t, of_.view.affine));
+    void store_normals(const RowWriter& rows, const Corners<3>& c, const Weights& w, Lanes X,
+                       Lanes Y) const {
         for (int axis = 0; axis < 3; ++axis) {
             const float* of_local = of_.object.normal[axis] + of_.cluster.first_vertex;
             VecF n[3];
-            for (int k = 0; k < 3; ++k) n[k] = look_up(of_local, t.corners.local[k]);
-            normal[axis] = weighted_plane(n, w);
+            for (int k = 0; k < 3; ++k) n[k] = look_up(of_local, c.local[k]);
+            rows.store(fragment_values + axis, fused_value(weighted_plane(n, w), X, Y).v);
         }
-    }
-
-    /// With the bits that raster and resolve find for a triangle in a batch.
-    void append(const Triangles& t, const ScreenPlane<Lanes> (&values)[3], VecI id, VecI px,
-                VecI py, MaskI mask) {
-        const VecF X = to_float(hn::Sub(px, t.ox)), Y = to_float(hn::Sub(py, t.oy));
-        const Lanes depth = plane_value(t.depth, Lanes(X), Lanes(Y));
-        stage(fragment_depth, depth.v, mask);
-        stage(row_id, id, mask);
-        stage(row_corners, t.corners.packed, mask);
-        VecF unscale = hn::Set(tag_f, 1.0f);
-        if (has_weights() && !of_.view.affine) unscale = reciprocal(depth).v;
-        for (int i = 0; i < 3; ++i) {
-            const ScreenPlane<Lanes>& p = values[i];
-            const VecF value = hn::MulAdd(p.x.v, X, hn::MulAdd(p.y.v, Y, p.c.v));
-            stage(fragment_values + i, hn::Mul(value, unscale), mask);
-        }
-        stage(column, px, mask);
-        stage(line, py, mask);
-        count_ += std::uint32_t(hn::CountTrue(tag_i, mask));
-        if (count_ < std::uint32_t(N)) return;
-        store_batch(std::uint32_t(N));
-        for (auto& row : staged_) hn::Store(hn::Load(tag_i, row + N), tag_i, row);
-        count_ -= std::uint32_t(N);
-    }
-
-    void stage(int row, VecI v, MaskI mask) {
-        hn::StoreU(compress(v, mask), tag_i, staged_[row] + count_);
-    }
-    void stage(int row, VecF v, MaskI mask) { stage(row, hn::BitCast(tag_i, v), mask); }
-
-    void store_batch(std::uint32_t count) {
-        const std::uint32_t number = worker_.fragment_run.fresh(store_);
-        store_.info(number) = of_.batch_info(count);
-        auto* rows = reinterpret_cast<std::int32_t*>(store_.batch(number));
-        for (int r = 0; r < fragment_rows; ++r)
-            hn::Store(hn::Load(tag_i, staged_[r]), tag_i, rows + r * N);
-        const VecI x = hn::Load(tag_i, staged_[column]), y = hn::Load(tag_i, staged_[line]);
-        hn::Store(index_in_tile(x, y), tag_i, rows + fragment_at * N);
-        list(number, count, x, y);
     }
 
     /// tile_index of a sample of the picture.
@@ -128,26 +87,26 @@ private:
     }
 
     /// Neighbours that lie in the same tile, as the ref of the first and their number.
-    void list(std::uint32_t number, std::uint32_t count, VecI x, VecI y) {
+    void list(std::uint32_t number, std::uint32_t count, MaskI kept, VecI x, VecI y) {
         const int shift = __builtin_ctz(static_cast<unsigned>(of_.view.tile));
         const VecI numbers =
             hn::Add(hn::Mul(hn::ShiftRightSame(y, shift), hn::Set(tag_i, of_.view.tiles_x)),
                     hn::ShiftRightSame(x, shift));
         alignas(64) std::int32_t tile[N + 1];
-        hn::Store(numbers, tag_i, tile);
-        tile[count] = -1;
+        hn::Store(hn::IfThenElse(kept, numbers, hn::Set(tag_i, no_tile)), tag_i, tile);
+        tile[count] = end_of_list;
         for (std::uint32_t begin = 0, end; begin < count; begin = end) {
             for (end = begin + 1; tile[end] == tile[begin];) ++end;
+            if (tile[begin] == no_tile) continue;
             worker_.fragments.push(std::size_t(tile[begin]), number * std::uint32_t(N) + begin);
             worker_.fragments.push(std::size_t(tile[begin]), end - begin);
         }
     }
+    static constexpr std::int32_t no_tile = -1, end_of_list = -2;
 
     const ClusterContext& of_;
     BatchStore& store_;
     SetupWorker& worker_;
-    alignas(64) std::int32_t staged_[staged_rows][2 * N];
-    std::uint32_t count_ = 0;
 };
 
 SCANSHADE_TARGET_END;

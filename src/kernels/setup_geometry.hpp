@@ -8,6 +8,7 @@
 #endif
 
 #include "kernels/engine_data.hpp"
+#include "kernels/lanes64.hpp"
 #include "kernels/screen_plane.hpp"
 #include "kernels/vectors.hpp"
 
@@ -180,27 +181,13 @@ inline ScreenPlane<Lanes> depth_plane(const Corners<3>& c, const VecF (&depth)[3
     };
     order(0, 1), order(1, 2), order(0, 1);
 
-    alignas(64) std::int32_t px[3][N], py[3][N], origin_x[N], origin_y[N];
-    alignas(64) float pz[3][N], out[3][N];
-    for (int k = 0; k < 3; ++k) {
-        hn::Store(x[k], tag_i, px[k]);
-        hn::Store(y[k], tag_i, py[k]);
-        hn::Store(z[k], tag_f, pz[k]);
-    }
-    hn::Store(hn::Add(hn::ShiftLeft<8>(ox), hn::Set(tag_i, view.sample_x)), tag_i, origin_x);
-    hn::Store(hn::Add(hn::ShiftLeft<8>(oy), hn::Set(tag_i, view.sample_y)), tag_i, origin_y);
-    for (int i = 0; i < N; i += N64) {
-        const Lanes64 corner_x[3] = {widen(px[0] + i), widen(px[1] + i), widen(px[2] + i)};
-        const Lanes64 corner_y[3] = {widen(py[0] + i), widen(py[1] + i), widen(py[2] + i)};
-        const Lanes64 corner_z[3] = {widen(pz[0] + i), widen(pz[1] + i), widen(pz[2] + i)};
-        const ScreenPlane<Lanes64> plane =
-            plane_through(corner_x, corner_y, corner_z, widen(origin_x + i), widen(origin_y + i));
-        store_narrow(plane.c, out[0] + i);
-        store_narrow(plane.x, out[1] + i);
-        store_narrow(plane.y, out[2] + i);
-    }
-    return {Lanes(hn::Load(tag_f, out[0])), Lanes(hn::Load(tag_f, out[1])),
-            Lanes(hn::Load(tag_f, out[2]))};
+    const Lanes64 px[3] = {widen(x[0]), widen(x[1]), widen(x[2])};
+    const Lanes64 py[3] = {widen(y[0]), widen(y[1]), widen(y[2])};
+    const Lanes64 pz[3] = {widen(z[0]), widen(z[1]), widen(z[2])};
+    const VecI origin_x = hn::Add(hn::ShiftLeft<8>(ox), hn::Set(tag_i, view.sample_x));
+    const VecI origin_y = hn::Add(hn::ShiftLeft<8>(oy), hn::Set(tag_i, view.sample_y));
+    const ScreenPlane<Lanes64> plane = plane_through(px, py, pz, widen(origin_x), widen(origin_y));
+    return {Lanes(narrow(plane.c)), Lanes(narrow(plane.x)), Lanes(narrow(plane.y))};
 }
 
 /// Everything about N triangles that batches and fragments are made of. Planes count pixels from
@@ -288,13 +275,6 @@ inline Weights turned_weights(const Corners<3>& c, const Weights& w) {
     for (int k = 0; k < 3; ++k)
         turned.of[k] = {w.of[k].c * side, w.of[k].x * side, w.of[k].y * side};
     return turned;
-}
-
-/// Each face's number in the scene: of its (first) triangle.
-inline VecI triangle_ids(const ClusterContext& of, VecI packed) {
-    const VecI in_mesh = hn::GatherIndex(
-        tag_i, as_int(&of.object.mesh->triangle[of.cluster.first_face]), number_of(packed));
-    return hn::Add(in_mesh, hn::Set(tag_i, std::int32_t(of.object.first_triangle)));
 }
 
 SCANSHADE_TARGET_END;

@@ -94,7 +94,7 @@ private:
         const std::uint32_t number = worker_.quad_run.fresh(store_);
         store_.info(number) = of_.batch_info(count);
         const RowWriter rows(store_.batch(number));
-        rows.store_face(of_, box, ox, oy, c.packed, hn::Zero(tag_i));
+        rows.store_face(box, ox, oy, c.packed, hn::Zero(tag_i));
         const Edges<4> edges = edges_of(c, box, of_.view);
         VecI at_origin[4];
         edges_at_origin(edges, box, ox, oy, at_origin);

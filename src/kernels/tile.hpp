@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "kernels/batches.hpp"
+#include "kernels/setup.hpp"
 
 namespace scanshade {
 
@@ -75,6 +75,7 @@ struct TileBuffer {
 struct RasterView {
     const BatchStore *batches, *fragments, *quads;
     const Record* records;
+    const SetupObject* objects;
     int sample_x, sample_y, width, height;
     int tile;  // side of a tile in samples: 16, 32 or tile_side; a buffer's rows keep their length
     float near, far;
@@ -93,8 +94,12 @@ inline std::uint32_t ref_id(const RasterView& view, std::uint32_t ref) {
     const std::uint32_t lanes = view.batches->lanes(), at = ref & ~(fragment_bit | quad_bit);
     const bool fragment = (ref & fragment_bit) != 0, quad = (ref & quad_bit) != 0;
     const BatchStore& store = *(fragment ? view.fragments : quad ? view.quads : view.batches);
-    const float* batch = store.batch(at / lanes);
-    return reinterpret_cast<const std::uint32_t*>(batch)[row_id * lanes + at % lanes];
+    const BatchInfo& info = store.info(at / lanes);
+    const auto* rows = reinterpret_cast<const std::uint32_t*>(store.batch(at / lanes));
+    const std::uint32_t face = rows[row_corners * lanes + at % lanes] >> number_shift;
+    const SetupObject& object = view.objects[info.object];
+    const ClusteredMesh& mesh = *object.mesh;
+    return object.first_triangle + mesh.triangle[mesh.clusters[info.cluster].first_face + face];
 }
 
 void clear_tile(TileBuffer& tile);

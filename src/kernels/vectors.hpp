@@ -1,4 +1,4 @@
-// What the kernels of the vector renderer share: tags, lanes of doubles, walking over masks.
+// What the kernels of the vector renderer share: tags, walking over masks.
 #if defined(SCANSHADE_KERNELS_VECTORS_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef SCANSHADE_KERNELS_VECTORS_HPP
 #undef SCANSHADE_KERNELS_VECTORS_HPP
@@ -144,43 +144,6 @@ HWY_INLINE VecI compress(VecI v, MaskI mask) {
 inline std::uint32_t compress_append(VecI v, MaskI mask, std::int32_t* to) {
     hn::StoreU(compress(v, mask), tag_i, to);
     return std::uint32_t(hn::CountTrue(tag_i, mask));
-}
-
-/// As many doubles as a register has, at most N.
-constexpr int N64 = N > 1 ? N / 2 : 1;
-using Tag64 = hn::CappedTag<double, N64>;
-constexpr Tag64 tag_64;
-
-class Lanes64 {
-public:
-    Lanes64() = default;
-    explicit Lanes64(hn::Vec<Tag64> value) : v(value) {}
-    explicit Lanes64(double value) : v(hn::Set(tag_64, value)) {}
-    explicit Lanes64(int value) : v(hn::Set(tag_64, double(value))) {}
-    hn::Vec<Tag64> v;
-};
-inline Lanes64 operator+(Lanes64 a, Lanes64 b) { return Lanes64(hn::Add(a.v, b.v)); }
-inline Lanes64 operator-(Lanes64 a, Lanes64 b) { return Lanes64(hn::Sub(a.v, b.v)); }
-inline Lanes64 operator*(Lanes64 a, Lanes64 b) { return Lanes64(hn::Mul(a.v, b.v)); }
-inline Lanes64 operator/(Lanes64 a, Lanes64 b) { return Lanes64(hn::Div(a.v, b.v)); }
-template <>
-struct RealTraits<Lanes64> {
-    using Scalar = double;
-    static constexpr std::size_t width = std::size_t(N64);
-};
-
-inline Lanes64 widen(const std::int32_t* from) {
-    constexpr hn::Rebind<std::int32_t, Tag64> half;
-    return Lanes64(hn::PromoteTo(tag_64, hn::LoadU(half, from)));
-}
-inline Lanes64 widen(const float* from) {
-    constexpr hn::Rebind<float, Tag64> half;
-    return Lanes64(hn::PromoteTo(tag_64, hn::LoadU(half, from)));
-}
-/// Rounded to nearest.
-inline void store_narrow(Lanes64 v, float* to) {
-    constexpr hn::Rebind<float, Tag64> half;
-    hn::StoreU(hn::DemoteTo(half, v.v), half, to);
 }
 
 SCANSHADE_TARGET_END;

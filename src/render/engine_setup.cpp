@@ -42,7 +42,10 @@ void Engine::Pass::reset_batches() {
         }
     state_.batches.reset(batches, setup_.attributes.rows, int(lanes));
     state_.quads.reset(quads, setup_.quad_attributes.rows, int(lanes));
-    state_.fragments.reset(fragments, fragment_rows, int(lanes));
+    const bool gouraud = std::any_of(objects_.begin(), objects_.end(), [](const SetupObject& o) {
+        return o.shading == Shading::gouraud;
+    });
+    state_.fragments.reset(fragments, gouraud ? fragment_gouraud_rows : fragment_rows, int(lanes));
 }
 
 void Engine::Pass::set_up() {

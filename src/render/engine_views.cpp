@@ -92,9 +92,10 @@ void Engine::Pass::make_objects() {
 void Engine::Pass::make_resolve_view() {
     ResolveView& resolve = shading_.resolve;
     const View& view = frame_.view;
-    resolve.raster = {&state_.batches, &state_.fragments, &state_.quads, nullptr, frame_.sample.x,
-                      frame_.sample.y, view.width,        view.height,   tile_,   view.near,
-                      view.far,        view.orthographic, false};
+    resolve.raster = {
+        &state_.batches, &state_.fragments, &state_.quads,     nullptr,     objects_.data(),
+        frame_.sample.x, frame_.sample.y,   view.width,        view.height, tile_,
+        view.near,       view.far,          view.orthographic, false};
     resolve.attributes = setup_.attributes;
     resolve.quad_attributes = setup_.quad_attributes;
     resolve.affine = setup_.affine;
