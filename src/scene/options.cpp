@@ -245,8 +245,8 @@ constexpr OptionInfo options[] = {
      "a light instead of the scene's: point:x,y,z[:r,g,b[:c,l,q]] directional:dx,dy,dz[:r,g,b] "
      "spot:x,y,z:dx,dy,dz:deg[:r,g,b[:c,l,q]] cosine:x,y,z:dx,dy,dz[:r,g,b[:c,l,q]]",
      true, false, add_light},
-    {"normals", "file|average|area|angle", "where vertex normals of a mesh file come from", false,
-     false,
+    {"normals", "file|average|area|angle",
+     "where vertex normals come from: the file or shape itself, or its faces", false, false,
      [](Settings& s, std::string_view v) {
          s.normals.source = choice<NormalSource>("normals", normal_sources, v);
      },

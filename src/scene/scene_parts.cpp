@@ -189,7 +189,7 @@ const ObjectReader::Source& ObjectReader::shape_source(const TomlReader& reader,
     const auto [at, is_new] = sources_.try_emplace(fmt::format("shape {} {}", name, n));
     Source& source = at->second;
     if (!is_new) return source;
-    source.mesh = make_shape_mesh(shape, static_cast<int>(n));
+    source.mesh = make_shape_mesh(shape, static_cast<int>(n), settings_.normals);
     source.shape = name;
     source.tessellation = static_cast<int>(n);
     add_materials(reader, source, shape.materials());

@@ -165,8 +165,9 @@ constexpr ShapeInfo shapes[] = {
 
 std::span<const ShapeInfo> all_shapes() { return shapes; }
 
-std::shared_ptr<Mesh> make_shape_mesh(const ShapeInfo& shape, int tessellation) {
-    auto mesh = std::make_shared<Mesh>(build_mesh(shape.make(tessellation), {}));
+std::shared_ptr<Mesh> make_shape_mesh(const ShapeInfo& shape, int tessellation,
+                                      const NormalOptions& normals) {
+    auto mesh = std::make_shared<Mesh>(build_mesh(shape.make(tessellation), normals));
     mesh->shape = &shape;
     mesh->tessellation = tessellation;
     return mesh;

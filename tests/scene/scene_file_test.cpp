@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
 
@@ -242,6 +243,22 @@ TEST_CASE("every shape of the table can be an object", "[scene_file]") {
         const Scene scene = parse(fmt::format("[[object]]\nshape = \"{}\"\n", shape.name));
         CHECK(scene.triangle_count() > 0);
     }
+}
+
+TEST_CASE("vertex normals of a shape are its own, or made from its faces where that is asked for",
+          "[scene_file]") {
+    // At a cube's corners normals stand along an axis, or along the diagonal where its sides share one.
+    const auto largest = [](const std::string& render) {
+        const Scene scene =
+            parse("[render]\n" + render + "[[object]]\nshape = \"cube\"\ntessellation = 1\n");
+        const std::vector<float>& nx = scene.objects[0].mesh->nx;
+        return *std::max_element(nx.begin(), nx.end());
+    };
+    const std::string average = "normals = \"average\"\n";
+    CHECK(largest("") == 1);
+    CHECK(largest(average) == 1);  // the sides meet at more than the crease angle
+    CHECK(largest(average + "crease = 180\n") == Approx(std::sqrt(1 / 3.0)));
+    CHECK(largest(average + "crease = 91\n") == Approx(std::sqrt(1 / 3.0)));
 }
 
 TEST_CASE("a shape brings its materials; the object's material goes before them", "[scene_file]") {

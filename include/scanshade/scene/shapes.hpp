@@ -38,8 +38,9 @@ struct ShapeInfo {
 /// sphere, torus, teapot, cube, cylinder, plane, ...
 std::span<const ShapeInfo> all_shapes();
 
-/// A mesh that knows what it was made from.
-std::shared_ptr<Mesh> make_shape_mesh(const ShapeInfo& shape, int tessellation);
+/// A mesh that knows what it was made from; without `normals`, with those of the surface itself.
+std::shared_ptr<Mesh> make_shape_mesh(const ShapeInfo& shape, int tessellation,
+                                      const NormalOptions& normals = {});
 
 /// The shape of that name, or nullptr.
 const ShapeInfo* find_shape(std::string_view name);
