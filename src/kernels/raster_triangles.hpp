@@ -77,19 +77,40 @@ struct WindowGrid {
 };
 constexpr WindowGrid window_grid;
 
-/// The bits of `window_side` places from `first` on that are in [0, last].
-inline std::uint32_t places_within(int first, int last) {
+/// The blocks of a window from column or row `first` on that are in [0, last].
+constexpr std::uint32_t columns_within(int first, int last) {
     constexpr std::uint32_t every = (1u << window_side) - 1;
-    return (every << std::clamp(-first, 0, window_side)) &
-           (every >> std::max(first + window_side - 1 - last, 0));
+    const int below = std::clamp(-first, 0, window_side), beyond = first + window_side - 1 - last;
+    return (every << below & every >> std::clamp(beyond, 0, window_side)) * 0x1111u;
 }
+constexpr std::uint32_t rows_within(int first, int last) {
+    constexpr std::uint32_t every = (1u << window_blocks) - 1;
+    const int below = std::clamp(-first, 0, window_side), beyond = first + window_side - 1 - last;
+    return every << below * window_side & every >> std::clamp(beyond, 0, window_side) * window_side;
+}
+
+/// Those of windows that begin at most one window before a tile of `blocks` blocks a side, and in it.
+struct WithinTile {
+    std::uint16_t columns[window_side + tile_block_columns], rows[window_side + tile_block_columns];
+    constexpr explicit WithinTile(int blocks) : columns(), rows() {
+        for (int first = -window_side; first < tile_block_columns; ++first) {
+            columns[first + window_side] = std::uint16_t(columns_within(first, blocks - 1));
+            rows[first + window_side] = std::uint16_t(rows_within(first, blocks - 1));
+        }
+    }
+};
+constexpr WithinTile within_tile[] = {WithinTile(4), WithinTile(8), WithinTile(16)};
 
 /// Blocks of triangles in two passes: first which ones a triangle may touch, then one block after
 /// another. No branch depends on a triangle's shape.
 class BlockQueue {
 public:
     BlockQueue(const RasterView& view, int x, int y, TileBuffer& tile)
-        : view_(view), x_(x), y_(y), tile_(tile) {}
+        : view_(view),
+          x_(x),
+          y_(y),
+          tile_(tile),
+          within_(within_tile[__builtin_ctz(unsigned(view.tile / subtile_side))]) {}
 
     /// Queues a triangle's blocks.
     HWY_INLINE void add(std::uint32_t ref) {
@@ -97,10 +118,12 @@ public:
         const std::uint32_t extent = t.extent();
         const int columns = int(extent & 0xff), rows = int(extent >> 8 & 0xff);
         const int column = blocks_from(x_, t.origin_x()), row = blocks_from(y_, t.origin_y());
-        const int last = view_.tile / block_side - 1;  // of the tile
-        const Limits limits = {std::min(column + columns, last), std::min(row + rows, last)};
-        add_window(next_window(t, ref, column, row, 0, 0), extent >> 16, limits);
-        if (columns >= window_side || rows >= window_side) add_further(t, ref, column, row, limits);
+        const std::uint32_t within = within_.columns[std::max(column, -window_side) + window_side] &
+                                     within_.rows[std::max(row, -window_side) + window_side];
+        next_window(t, ref, column, row, 0, 0);
+        add_window(extent >> 16 & within);
+        if (columns >= window_side || rows >= window_side)
+            add_further(t, ref, column, row, column + columns, row + rows);
     }
 
     HWY_INLINE void draw() {
@@ -129,9 +152,6 @@ private:
         int column, row;  // of the tile's blocks; maybe outside of it
         float x, y;       // pixels from the triangle's origin
     };
-    struct Limits {
-        int column, row;  // the last that count
-    };
 
     /// Room for a window, filled field by field: a copy of the whole would wait for its parts.
     HWY_INLINE const Window& next_window(const BatchTriangle& t, std::uint32_t ref, int column,
@@ -144,13 +164,8 @@ private:
         return w;
     }
 
-    /// Queues the blocks of the window at hand that are in `blocks`, in the tile and within the limits.
-    HWY_INLINE void add_window(const Window& w, std::uint32_t blocks, const Limits& limits) {
-        const std::uint32_t columns = places_within(w.column, limits.column);
-        const std::uint32_t rows = places_within(w.row, limits.row);
-        static_assert(window_side == 4);
-        blocks &= columns * 0x1111u;
-        blocks &= ((rows & 1) | (rows & 2) << 3 | (rows & 4) << 6 | (rows & 8) << 9) * 0xfu;
+    /// Queues these blocks of the window at hand.
+    HWY_INLINE void add_window(std::uint32_t blocks) {
         const std::uint32_t first = windows_++ * window_blocks;
         for (int v = 0; v < window_blocks; v += N)
             count_ +=
@@ -158,15 +173,18 @@ private:
                                 mask_of(tag_i, blocks >> v & all_lanes), queue_ + count_);
     }
 
-    /// The windows that follow the first one.
+    /// The windows that follow the first one, up to the block (last_column, last_row).
     HWY_NOINLINE void add_further(const BatchTriangle& t, std::uint32_t ref, int column, int row,
-                                  const Limits& limits) {
+                                  int last_column, int last_row) {
+        const int last = view_.tile / block_side - 1;
+        last_column = std::min(last_column, last), last_row = std::min(last_row, last);
         const float rise[3] = {t.rise(0), t.rise(1), t.rise(2)};
-        for (int r = row; r <= limits.row; r += window_side)
-            for (int c = column; c <= limits.column; c += window_side) {
+        for (int r = row; r <= last_row; r += window_side)
+            for (int c = column; c <= last_column; c += window_side) {
                 if (r <= -window_side || c <= -window_side || (r == row && c == column)) continue;
                 const Window& w = next_window(t, ref, c, r, c - column, r - row);
-                add_window(w, touched_blocks(w, rise), limits);
+                add_window(touched_blocks(w, rise) & columns_within(c, last_column) &
+                           rows_within(r, last_row));
             }
     }
 
@@ -188,6 +206,7 @@ private:
     const RasterView& view_;
     const int x_, y_;
     TileBuffer& tile_;
+    const WithinTile& within_;
     std::uint32_t count_ = 0, windows_ = 0;
     Window window_[most_windows];
     alignas(64) std::int32_t

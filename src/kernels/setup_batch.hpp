@@ -29,7 +29,13 @@ public:
         store(row_origin_y, to_float(oy));
         const VecI columns = hn::ShiftRight<2>(hn::Sub(box.x1, ox));
         const VecI rows = hn::ShiftRight<2>(hn::Sub(box.y1, oy));
-        store_int(row_extent, hn::Or(hn::Or(columns, hn::ShiftLeft<8>(rows)), blocks));
+        // Those of the 4 × 4 blocks that are in the box, each row a figure of four bits.
+        const VecI in_columns =
+            hn::Mul(hn::Shr(hn::Set(tag_i, 0xf), beyond(columns)), hn::Set(tag_i, 0x1111));
+        const VecI in_rows = hn::Shr(hn::Set(tag_i, 0xffff), hn::ShiftLeft<2>(beyond(rows)));
+        const VecI in_box = hn::ShiftLeft<16>(hn::And(in_columns, in_rows));
+        store_int(row_extent,
+                  hn::Or(hn::Or(columns, hn::ShiftLeft<8>(rows)), hn::And(blocks, in_box)));
         store_int(row_corners, packed);
     }
 
@@ -43,6 +49,12 @@ public:
     }
 
 private:
+    /// How many of four places follow place `last`; lanes without a face may ask anything.
+    static VecI beyond(VecI last) {
+        const VecI rest = hn::Sub(hn::Set(tag_i, 3), last);
+        return hn::Min(hn::Max(rest, hn::Zero(tag_i)), hn::Set(tag_i, 3));
+    }
+
     float* batch_;
 };
 

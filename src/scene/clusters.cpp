@@ -3,6 +3,7 @@
 #include <meshoptimizer.h>
 
 #include <algorithm>
+#include <bit>
 #include <memory>
 #include <numeric>
 #include <span>
@@ -92,41 +93,48 @@ public:
     using Key = std::array<unsigned int, 3>;
 
     /// index: three vertices a triangle.
-    TrianglePlaces(std::span<const unsigned int> index, std::size_t vertices)
-        : first_(vertices + 1), rows_(index.size() / 3) {
+    explicit TrianglePlaces(std::span<const unsigned int> index)
+        : bits_(int(std::bit_width(index.size() / 3))),
+          first_((std::size_t{1} << bits_) + 1),
+          rows_(index.size() / 3) {
         const auto key = [&](std::size_t t) {
             return rotated({index[3 * t], index[3 * t + 1], index[3 * t + 2]});
         };
-        for (std::size_t t = 0; t < rows_.size(); ++t) ++first_[key(t)[0] + 1];
+        for (std::size_t t = 0; t < rows_.size(); ++t) ++first_[hash(key(t)) + 1];
         std::partial_sum(first_.begin(), first_.end(), first_.begin());
         std::vector<std::uint32_t> next = first_;
-        for (std::uint32_t t = 0; t < rows_.size(); ++t) {
-            const Key corners = key(t);
-            rows_[next[corners[0]]++] = {corners, t};
-        }
+        for (std::uint32_t t = 0; t < rows_.size(); ++t) rows_[next[hash(key(t))]++] = {key(t), t};
     }
 
     std::uint32_t take(const Key& corners) {
         const Key wanted = rotated(corners);
-        Row* row = &rows_[first_[wanted[0]]];
-        while (row->taken || row->corners != wanted) ++row;
-        row->taken = true;
-        return row->place;
+        std::uint32_t& first = first_[hash(wanted)];
+        Row* row = &rows_[first];
+        while (row->corners != wanted) ++row;
+        // The first of those that are left takes its row.
+        const std::uint32_t place = row->place;
+        *row = rows_[first++];
+        return place;
     }
 
 private:
     struct Row {
         Key corners;
         std::uint32_t place;
-        bool taken = false;
     };
     /// The least first.
     static Key rotated(const Key& t) {
         const auto least = std::size_t(std::min_element(t.begin(), t.end()) - t.begin());
         return {t[least], t[(least + 1) % 3], t[(least + 2) % 3]};
     }
-    std::vector<std::uint32_t>
-        first_;  // [vertex] row of the first triangle whose least corner it is
+    /// Of all three: a fan has one corner in all of its triangles.
+    std::size_t hash(const Key& t) const {
+        std::uint64_t h = 0;
+        for (const unsigned int corner : t) h = (h ^ corner) * 0x9e3779b97f4a7c15u;
+        return std::size_t(h >> (64 - bits_));
+    }
+    int bits_;                          // of a hash
+    std::vector<std::uint32_t> first_;  // [hash] row of the first triangle that is left
     std::vector<Row> rows_;
 };
 
@@ -151,7 +159,7 @@ public:
                 meshlets.data(), vertices.data(), corners.data(), index_.data(), index_.size(),
                 position_.data(), vertex_.size(), 3 * sizeof(float), max_cluster_vertices,
                 max_cluster_triangles, cone_weight));
-        TrianglePlaces places(index_, vertex_.size());
+        TrianglePlaces places(index_);
         ClusterBuilder builder(mesh_);
         for (const meshopt_Meshlet& meshlet : meshlets) {
             const unsigned char* l = &corners[meshlet.triangle_offset];
