@@ -112,6 +112,7 @@ public:
     std::uint32_t take(std::uint32_t count) {
         return next_.fetch_add(count, std::memory_order_relaxed);
     }
+    std::size_t batch_size() const { return rows_ * lanes_; }
     float* batch(std::uint32_t b) { return data_.get() + b * rows_ * lanes_; }
     const float* batch(std::uint32_t b) const { return data_.get() + b * rows_ * lanes_; }
     BatchInfo& info(std::uint32_t b) { return info_[b]; }

@@ -16,8 +16,9 @@ SCANSHADE_TARGET_BEGIN;
 class BatchTriangle {
 public:
     BatchTriangle() = default;
-    HWY_INLINE BatchTriangle(const BatchStore& store, std::uint32_t ref)
-        : at_(store.batch(ref / std::uint32_t(N)) + ref % std::uint32_t(N)) {}
+    /// batches: the first of them, `size` numbers each.
+    HWY_INLINE BatchTriangle(const float* batches, std::size_t size, std::uint32_t ref)
+        : at_(batches + ref / std::uint32_t(N) * size + ref % std::uint32_t(N)) {}
 
     HWY_INLINE float row(int r) const { return at_[r * N]; }
     HWY_INLINE int origin_x() const { return int(row(row_origin_x)); }
@@ -110,11 +111,13 @@ public:
           x_(x),
           y_(y),
           tile_(tile),
+          batches_(view.batches->batch(0)),
+          batch_size_(view.batches->batch_size()),
           within_(within_tile[__builtin_ctz(unsigned(view.tile / subtile_side))]) {}
 
     /// Queues a triangle's blocks.
     HWY_INLINE void add(std::uint32_t ref) {
-        const BatchTriangle t(*view_.batches, ref);
+        const BatchTriangle t(batches_, batch_size_, ref);
         const std::uint32_t extent = t.extent();
         const int columns = int(extent & 0xff), rows = int(extent >> 8 & 0xff);
         const int column = blocks_from(x_, t.origin_x()), row = blocks_from(y_, t.origin_y());
@@ -144,7 +147,7 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t most_windows = 128, capacity = 1024;
+    static constexpr std::uint32_t most_windows = 64;
 
     struct Window {
         BatchTriangle triangle;
@@ -156,7 +159,7 @@ private:
     /// Room for a window, filled field by field: a copy of the whole would wait for its parts.
     HWY_INLINE const Window& next_window(const BatchTriangle& t, std::uint32_t ref, int column,
                                          int row, int columns, int rows) {
-        if (windows_ == most_windows || count_ + window_blocks > capacity) draw();
+        if (windows_ == most_windows) draw();
         Window& w = window_[windows_];
         w.triangle = t, w.ref = ref;
         w.column = column, w.row = row;
@@ -206,11 +209,13 @@ private:
     const RasterView& view_;
     const int x_, y_;
     TileBuffer& tile_;
+    const float* const batches_;
+    const std::size_t batch_size_;
     const WithinTile& within_;
     std::uint32_t count_ = 0, windows_ = 0;
     Window window_[most_windows];
     alignas(64) std::int32_t
-        queue_[capacity + window_blocks];  // number of the window · window_blocks + block
+        queue_[(most_windows + 1) * window_blocks];  // number of the window · window_blocks + block
 };
 
 inline void draw_triangles(const RasterView& view, int x, int y, const std::uint32_t* refs,
