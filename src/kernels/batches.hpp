@@ -59,7 +59,7 @@ inline constexpr int most_values = 3 + 3 + 2 + 3;
 inline constexpr int most_rows = row_quad_attributes + 4 * most_values;
 
 /// Rows of a batch of fragments: `lanes` samples of triangles too small to be worth planes.
-/// row_corners is that of the triangles.
+/// row_corners is that of the triangles, the sample's place in their boxes beside it.
 enum FragmentRow : int {
     fragment_depth = row_corners + 1,
     fragment_at,      // uint32: index of the sample in its tile

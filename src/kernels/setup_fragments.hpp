@@ -61,7 +61,7 @@ public:
         } else if (of_.material.store_normals) {
             store_normals(rows, t.corners, turned_weights(t.corners, w), X, Y);
         }
-        list(number, count, kept, px, py);
+        list(number, kept, px, py);
     }
 
 private:
@@ -87,22 +87,25 @@ private:
     }
 
     /// Neighbours that lie in the same tile, as the ref of the first and their number.
-    void list(std::uint32_t number, std::uint32_t count, MaskI kept, VecI x, VecI y) {
+    void list(std::uint32_t number, MaskI kept, VecI x, VecI y) {
         const int shift = __builtin_ctz(static_cast<unsigned>(of_.view.tile));
         const VecI numbers =
             hn::Add(hn::Mul(hn::ShiftRightSame(y, shift), hn::Set(tag_i, of_.view.tiles_x)),
                     hn::ShiftRightSame(x, shift));
-        alignas(64) std::int32_t tile[N + 1];
-        hn::Store(hn::IfThenElse(kept, numbers, hn::Set(tag_i, no_tile)), tag_i, tile);
-        tile[count] = end_of_list;
-        for (std::uint32_t begin = 0, end; begin < count; begin = end) {
-            for (end = begin + 1; tile[end] == tile[begin];) ++end;
-            if (tile[begin] == no_tile) continue;
+        alignas(64) std::int32_t tile[N];
+        hn::Store(numbers, tag_i, tile);
+        // Most batches are one run: each pass takes the first lane's, up to the next that is not of it.
+        std::uint32_t rest = mask_bits(tag_i, kept);
+        while (rest != 0) {
+            const auto begin = std::uint32_t(__builtin_ctz(rest));
+            const MaskI same = hn::Eq(numbers, hn::Set(tag_i, tile[begin]));
+            const std::uint32_t others = ~(rest & mask_bits(tag_i, same)) >> begin;
+            const auto length = std::uint32_t(__builtin_ctz(others));
             worker_.fragments.push(std::size_t(tile[begin]), number * std::uint32_t(N) + begin);
-            worker_.fragments.push(std::size_t(tile[begin]), end - begin);
+            worker_.fragments.push(std::size_t(tile[begin]), length);
+            rest &= ~0u << (begin + length);
         }
     }
-    static constexpr std::int32_t no_tile = -1, end_of_list = -2;
 
     const ClusterContext& of_;
     BatchStore& store_;
