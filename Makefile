@@ -17,8 +17,10 @@ CXXFLAGS_asan    := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=al
 # oneTBB is not instrumented; loops run on threads of the standard library instead.
 CXXFLAGS_tsan    := -O1 -g -fsanitize=thread -fno-omit-frame-pointer -DSCANSHADE_STD_THREADS \
                     -Wno-maybe-uninitialized
-# Counts of loops on several threads must not get lost.
-CXXFLAGS_coverage := -O1 -g --coverage -fprofile-update=atomic -Wno-maybe-uninitialized
+# Counts of loops on several threads must not get lost, and a branch must not count once for each place
+# that its function is inlined into.
+CXXFLAGS_coverage := -O1 -g --coverage -fprofile-update=atomic -fno-inline -DSCANSHADE_INLINE=inline \
+                     -Wno-maybe-uninitialized
 # libFuzzer is clang's. What a file holds must neither overflow nor leak, so everything is watched.
 CXXFLAGS_fuzz    := -O1 -g -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all \
                     -fno-omit-frame-pointer

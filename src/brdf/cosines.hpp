@@ -15,8 +15,7 @@ SCANSHADE_TARGET_BEGIN;
 /// n, wi and wo are unit vectors. Sines come from cross products, not from 1 − cos²; ω_i·h is half
 /// of the length of ω_i + ω_o. Errors are absolute: ≤ 12 u, of sin2_h 12 u sinθ_h.
 template <Real R>
-[[gnu::always_inline]] inline Cosines<R> cosines(const Vec3<R>& n, const Vec3<R>& wi,
-                                                 const Vec3<R>& wo) {
+SCANSHADE_INLINE Cosines<R> cosines(const Vec3<R>& n, const Vec3<R>& wi, const Vec3<R>& wo) {
     const Vec3<R> sum = wi + wo, h = half_vector(wi, wo), n_cross_h = cross(n, h);
     const R length2 = dot(sum, sum);
     const R n_i = dot(n, wi), n_o = dot(n, wo);

@@ -67,7 +67,7 @@ Vec3<R> uniform_vec3(const Scalar<R> (&value)[3]) {
 
 /// Attenuation of a light at a distance (in the light's units).
 template <Real R>
-[[gnu::always_inline]] inline R attenuation_of(const LightTerm<Scalar<R>>& light, R distance) {
+SCANSHADE_INLINE R attenuation_of(const LightTerm<Scalar<R>>& light, R distance) {
     if (light.constant) return R(1) / R(light.attenuation[0]);
     return attenuation(max(distance, R(light.radius)), light.attenuation[0], light.attenuation[1],
                        light.attenuation[2]);
@@ -75,17 +75,15 @@ template <Real R>
 
 /// What share of its intensity a cosine or spot light sends towards −wi.
 template <Real R>
-[[gnu::always_inline]] inline R emission_of(const LightTerm<Scalar<R>>& light, const Vec3<R>& wi) {
+SCANSHADE_INLINE R emission_of(const LightTerm<Scalar<R>>& light, const Vec3<R>& wi) {
     const Vec3<R> axis = uniform_vec3<R>(light.axis);
     if (light.emission == LightEmission::cosine) return cosine_light(-wi, axis);
     return spot_light(-wi, axis, light.cos_cutoff, light.inv_penumbra);
 }
 
 /// What scales the irradiance of a light: attenuation and emission.
-// Inlined whatever its size: between vectors, a call would store and load every register.
 template <Real R>
-[[gnu::always_inline]] inline R arriving(const LightTerm<Scalar<R>>& light, const Vec3<R>& wi,
-                                         R distance) {
+SCANSHADE_INLINE R arriving(const LightTerm<Scalar<R>>& light, const Vec3<R>& wi, R distance) {
     const R f_att = attenuation_of(light, distance);
     return light.emission == LightEmission::uniform ? f_att : f_att * emission_of(light, wi);
 }

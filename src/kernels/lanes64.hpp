@@ -28,11 +28,11 @@ public:
     Half low, high;
 };
 
-#define SCANSHADE_LANES64_BINARY(op, f)                                  \
-    HWY_INLINE Lanes64 operator op(const Lanes64& a, const Lanes64& b) { \
-        const auto low = hn::f(a.low, b.low);                            \
-        if constexpr (Lanes64::two) return {low, hn::f(a.high, b.high)}; \
-        return {low, low};                                               \
+#define SCANSHADE_LANES64_BINARY(op, f)                                        \
+    SCANSHADE_INLINE Lanes64 operator op(const Lanes64& a, const Lanes64& b) { \
+        const auto low = hn::f(a.low, b.low);                                  \
+        if constexpr (Lanes64::two) return {low, hn::f(a.high, b.high)};       \
+        return {low, low};                                                     \
     }
 SCANSHADE_LANES64_BINARY(+, Add)
 SCANSHADE_LANES64_BINARY(-, Sub)
@@ -40,13 +40,13 @@ SCANSHADE_LANES64_BINARY(*, Mul)
 SCANSHADE_LANES64_BINARY(/, Div)
 #undef SCANSHADE_LANES64_BINARY
 
-HWY_INLINE Lanes64::Mask operator>(const Lanes64& a, const Lanes64& b) {
+SCANSHADE_INLINE Lanes64::Mask operator>(const Lanes64& a, const Lanes64& b) {
     return {hn::Gt(a.low, b.low), hn::Gt(a.high, b.high)};
 }
-HWY_INLINE Lanes64::Mask mask_or(const Lanes64::Mask& a, const Lanes64::Mask& b) {
+SCANSHADE_INLINE Lanes64::Mask mask_or(const Lanes64::Mask& a, const Lanes64::Mask& b) {
     return {hn::Or(a.low, b.low), hn::Or(a.high, b.high)};
 }
-HWY_INLINE Lanes64 select(const Lanes64::Mask& mask, const Lanes64& a, const Lanes64& b) {
+SCANSHADE_INLINE Lanes64 select(const Lanes64::Mask& mask, const Lanes64& a, const Lanes64& b) {
     return {hn::IfThenElse(mask.low, a.low, b.low), hn::IfThenElse(mask.high, a.high, b.high)};
 }
 
@@ -58,7 +58,7 @@ struct RealTraits<Lanes64> {
 
 /// Of whole numbers or floats, exactly.
 template <class V>
-HWY_INLINE Lanes64 widen(V v) {
+SCANSHADE_INLINE Lanes64 widen(V v) {
     constexpr Lanes64::Tag tag;
 #if HWY_TARGET == HWY_SCALAR
     return {hn::PromoteTo(tag, v), hn::PromoteTo(tag, v)};
@@ -69,7 +69,7 @@ HWY_INLINE Lanes64 widen(V v) {
 }
 
 /// Rounded to nearest.
-HWY_INLINE VecF narrow(const Lanes64& x) {
+SCANSHADE_INLINE VecF narrow(const Lanes64& x) {
     const hn::Rebind<float, Lanes64::Tag> half;
 #if HWY_TARGET == HWY_SCALAR
     return hn::DemoteTo(half, x.low);

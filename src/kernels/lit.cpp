@@ -38,7 +38,7 @@ struct CornerSlots {
     }
 
     /// Radiance of channel c at the corners k.
-    HWY_INLINE VecF radiance(int c, int k) const {
+    SCANSHADE_INLINE VecF radiance(int c, int k) const {
         const float* front = light_.radiance[c] + light_.first;
         if (no_back_) return look_up(front, local_[k]);
         const VecF from_behind = look_up(front + light_.side, local_[k]);
@@ -66,7 +66,7 @@ public:
     LitPlanes(const float* batch, int weights, const VertexLight& light) : slots_(batch, light) {
         for (int r = 0; r < 9; ++r) weight_[r] = hn::Load(tag_f, batch + (weights + r) * N);
     }
-    HWY_INLINE ScreenPlane<Lanes> of(int c) const {
+    SCANSHADE_INLINE ScreenPlane<Lanes> of(int c) const {
         VecF L[3];
         for (int k = 0; k < 3; ++k) L[k] = slots_.radiance(c, k);
         const auto sum = [&](int part) HWY_ATTR {

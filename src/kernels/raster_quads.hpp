@@ -13,7 +13,7 @@ SCANSHADE_TARGET_BEGIN;
 
 /// Each row's number at the samples of vector v of a block; `from` is that of the block's first row.
 /// Up to N numbers from there are read.
-HWY_INLINE VecF of_rows(const float* from, int v) {
+SCANSHADE_INLINE VecF of_rows(const float* from, int v) {
     if constexpr (N <= block_side) return hn::Set(tag_f, from[v * N / block_side]);
     const VecI row = hn::ShiftRight<2>(hn::Iota(tag_i, 0));
     return hn::TableLookupLanes(hn::LoadU(tag_f, from + v * N / block_side),
@@ -44,10 +44,10 @@ public:
     }
 
 private:
-    HWY_INLINE float row(int r) const { return at_[r * N]; }
+    SCANSHADE_INLINE float row(int r) const { return at_[r * N]; }
 
     /// Spans of the rows from the first block's to the last one's, as vectors of rows.
-    HWY_INLINE void make_spans(int first_line) {
+    SCANSHADE_INLINE void make_spans(int first_line) {
         const ScreenQuad<Lanes> quad = quad_from(at_, N);
         const int rows = (last_line_ - first_line + 1) * block_side;
         for (int i = 0; i < rows; i += N) {
@@ -61,13 +61,13 @@ private:
     }
 
     /// Edge function k at (x, y) from the origin; exact, fused or not.
-    HWY_INLINE VecF edge(int k, VecF x, VecF y) const {
+    SCANSHADE_INLINE VecF edge(int k, VecF x, VecF y) const {
         return hn::MulAdd(hn::Set(tag_f, row(row_edges + k)), x,
                           hn::MulAdd(hn::Set(tag_f, row(row_edges + 4 + k)), y,
                                      hn::Set(tag_f, row(row_edges + 8 + k))));
     }
 
-    HWY_INLINE void draw_block(int column, int line, int span, TileBuffer& tile) const {
+    SCANSHADE_INLINE void draw_block(int column, int line, int span, TileBuffer& tile) const {
         const int at = block_at(column, line);
         const VecF X = hn::Set(tag_f, float((column - column_) * block_side));
         const VecF Y = hn::Set(tag_f, float((line - line_) * block_side));

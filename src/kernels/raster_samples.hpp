@@ -32,8 +32,8 @@ HWY_NOINLINE void put_tied(const RasterView& view, VecF z, MaskF inside, std::ui
 }
 
 /// The same where no depth is equal, as nearly everywhere; else asks for the above.
-HWY_INLINE void put(const RasterView& view, VecF z, MaskF inside, std::uint32_t ref, float* depth,
-                    std::uint32_t* refs) {
+SCANSHADE_INLINE void put(const RasterView& view, VecF z, MaskF inside, std::uint32_t ref,
+                          float* depth, std::uint32_t* refs) {
     const VecF there = hn::Load(tag_f, depth);
     if (HWY_UNLIKELY(!hn::AllFalse(tag_f, hn::And(inside, hn::Eq(z, there)))))
         return put_tied(view, z, inside, ref, depth, refs);

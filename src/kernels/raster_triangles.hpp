@@ -17,12 +17,12 @@ class BatchTriangle {
 public:
     BatchTriangle() = default;
     /// batches: the first of them, `size` numbers each.
-    HWY_INLINE BatchTriangle(const float* batches, std::size_t size, std::uint32_t ref)
+    SCANSHADE_INLINE BatchTriangle(const float* batches, std::size_t size, std::uint32_t ref)
         : at_(batches + ref / std::uint32_t(N) * size + ref % std::uint32_t(N)) {}
 
-    HWY_INLINE float row(int r) const { return at_[r * N]; }
-    HWY_INLINE int origin_x() const { return int(row(row_origin_x)); }
-    HWY_INLINE int origin_y() const { return int(row(row_origin_y)); }
+    SCANSHADE_INLINE float row(int r) const { return at_[r * N]; }
+    SCANSHADE_INLINE int origin_x() const { return int(row(row_origin_x)); }
+    SCANSHADE_INLINE int origin_y() const { return int(row(row_origin_y)); }
     std::uint32_t extent() const {
         std::uint32_t bits;
         std::memcpy(&bits, at_ + row_extent * N, sizeof bits);
@@ -30,7 +30,7 @@ public:
     }
 
     /// Edge function k at (x, y) from the origin; exact, fused or not.
-    HWY_INLINE VecF edge(int k, VecF x, VecF y) const {
+    SCANSHADE_INLINE VecF edge(int k, VecF x, VecF y) const {
         return hn::MulAdd(hn::Set(tag_f, row(row_edges + k)), x,
                           hn::MulAdd(hn::Set(tag_f, row(row_edges + 3 + k)), y,
                                      hn::Set(tag_f, row(row_edges + 6 + k))));
@@ -38,14 +38,14 @@ public:
 
     /// What may follow the edge functions at a block's first sample for the largest value in it: that is
     /// at the corner that the gradient points to.
-    HWY_INLINE float rise(int k) const {
+    SCANSHADE_INLINE float rise(int k) const {
         return (block_side - 1) *
                (std::max(row(row_edges + k), 0.0f) + std::max(row(row_edges + 3 + k), 0.0f));
     }
 
     /// Samples at (x, y) from the origin, into elements of the tile from `at` on.
-    HWY_INLINE void draw(const RasterView& view, VecF x, VecF y, std::uint32_t ref, int at,
-                         TileBuffer& tile) const {
+    SCANSHADE_INLINE void draw(const RasterView& view, VecF x, VecF y, std::uint32_t ref, int at,
+                               TileBuffer& tile) const {
         const VecF least = hn::Min(edge(0, x, y), hn::Min(edge(1, x, y), edge(2, x, y)));
         const ScreenPlane<Lanes> depth = {Lanes(row(row_depth)), Lanes(row(row_depth + 1)),
                                           Lanes(row(row_depth + 2))};
@@ -116,7 +116,7 @@ public:
           within_(within_tile[__builtin_ctz(unsigned(view.tile / subtile_side))]) {}
 
     /// Queues a triangle's blocks.
-    HWY_INLINE void add(std::uint32_t ref) {
+    SCANSHADE_INLINE void add(std::uint32_t ref) {
         const BatchTriangle t(batches_, batch_size_, ref);
         const std::uint32_t extent = t.extent();
         const int columns = int(extent & 0xff), rows = int(extent >> 8 & 0xff);
@@ -129,7 +129,7 @@ public:
             add_further(t, ref, column, row, column + columns, row + rows);
     }
 
-    HWY_INLINE void draw() {
+    SCANSHADE_INLINE void draw() {
         for (std::uint32_t k = 0; k < count_; ++k) {
             const auto item = std::uint32_t(queue_[k]);
             const Window& w = window_[item / window_blocks];
@@ -157,8 +157,8 @@ private:
     };
 
     /// Room for a window, filled field by field: a copy of the whole would wait for its parts.
-    HWY_INLINE const Window& next_window(const BatchTriangle& t, std::uint32_t ref, int column,
-                                         int row, int columns, int rows) {
+    SCANSHADE_INLINE const Window& next_window(const BatchTriangle& t, std::uint32_t ref,
+                                               int column, int row, int columns, int rows) {
         if (windows_ == most_windows) draw();
         Window& w = window_[windows_];
         w.triangle = t, w.ref = ref;
@@ -168,7 +168,7 @@ private:
     }
 
     /// Queues these blocks of the window at hand.
-    HWY_INLINE void add_window(std::uint32_t blocks) {
+    SCANSHADE_INLINE void add_window(std::uint32_t blocks) {
         const std::uint32_t first = windows_++ * window_blocks;
         for (int v = 0; v < window_blocks; v += N)
             count_ +=
@@ -192,7 +192,7 @@ private:
     }
 
     /// Blocks of a window in which no edge function is negative everywhere.
-    HWY_INLINE std::uint32_t touched_blocks(const Window& w, const float (&rise)[3]) const {
+    SCANSHADE_INLINE std::uint32_t touched_blocks(const Window& w, const float (&rise)[3]) const {
         std::uint32_t touched = 0;
         for (int v = 0; v < window_blocks; v += N) {
             const VecF side = hn::Set(tag_f, float(block_side));

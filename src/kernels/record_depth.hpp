@@ -26,7 +26,7 @@ struct Positions {
 };
 
 /// Vector v of the block whose corner is (x, y).
-HWY_INLINE Positions block_positions(int x, int y, int v) {
+SCANSHADE_INLINE Positions block_positions(int x, int y, int v) {
     return {hn::Add(hn::Load(tag_f, grid.x + v * N), hn::Set(tag_f, float(x))),
             hn::Add(hn::Load(tag_f, grid.y + v * N), hn::Set(tag_f, float(y)))};
 }
@@ -76,7 +76,7 @@ inline VecF clipped_depth(const RasterView& view, const Record& r, const Positio
 }
 
 /// The ScreenQuad of a record or of one face of a batch, whose rows are `stride` numbers apart.
-HWY_INLINE ScreenQuad<Lanes> quad_from(const float* rows, int stride) {
+SCANSHADE_INLINE ScreenQuad<Lanes> quad_from(const float* rows, int stride) {
     const auto value = [&](int row) HWY_ATTR { return Lanes(rows[row * stride]); };
     ScreenQuad<Lanes> q;
     for (int k = 0; k < 4; ++k) {

@@ -45,7 +45,7 @@ private:
     }
 
     template <std::uint32_t common>
-    HWY_INLINE void resolve_vector(int column, int row, int v) {
+    SCANSHADE_INLINE void resolve_vector(int column, int row, int v) {
         const int at = tile_index(column, row) + v * N;
         const VecI ref = hn::Load(tag_i, as_int(tile_.ref + at));
         const MaskI covered = hn::Ne(ref, hn::Set(tag_i, std::int32_t(no_ref)));
@@ -67,7 +67,7 @@ private:
     }
 
     /// A vector that has its place in the tile.
-    HWY_INLINE Samples samples_of(std::uint32_t number) const {
+    SCANSHADE_INLINE Samples samples_of(std::uint32_t number) const {
         const int at = out_.tile_at[number], block = at / block_samples;
         constexpr int columns = tile_side / block_side;
         Samples s;
@@ -85,8 +85,8 @@ private:
     // Each resolves the lanes that show the same batch as `first`, or the same record, and returns them.
 
     template <std::uint32_t bit>
-    HWY_INLINE std::uint32_t resolve_lanes(const Samples& s, VecI ref, std::uint32_t first,
-                                           std::uint32_t pending) {
+    SCANSHADE_INLINE std::uint32_t resolve_lanes(const Samples& s, VecI ref, std::uint32_t first,
+                                                 std::uint32_t pending) {
         if constexpr (bit == record_bit) return resolve_record(s, ref, first, pending);
         if constexpr (bit == fragment_bit) return resolve_fragments(s, ref, first, pending);
         if constexpr (bit == quad_bit)
@@ -129,8 +129,8 @@ private:
     }
 
     /// The values of a record that has rows as a batch has.
-    HWY_INLINE void resolve_rows(const Samples& s, const Record& r, Shading shading,
-                                 bool normals_disagree, MaskF mask) {
+    SCANSHADE_INLINE void resolve_rows(const Samples& s, const Record& r, Shading shading,
+                                       bool normals_disagree, MaskF mask) {
         const ResolveMaterial& material = view_.materials[r.material];
         const RecordRows rows(r);
         if (r.depth == Record::Depth::spans)
@@ -149,9 +149,9 @@ private:
 
     // ---- batches
     template <class Lookup>
-    HWY_INLINE std::uint32_t resolve_batch(const Samples& s, const BatchStore& store,
-                                           const Attributes& attributes, VecI ref,
-                                           std::uint32_t first, std::uint32_t pending) {
+    SCANSHADE_INLINE std::uint32_t resolve_batch(const Samples& s, const BatchStore& store,
+                                                 const Attributes& attributes, VecI ref,
+                                                 std::uint32_t first, std::uint32_t pending) {
         const std::uint32_t number = (first & ~quad_bit) >> lane_shift;
         const MaskI mask = lanes_of(hn::ShiftRight<lane_shift>(ref), first >> lane_shift, pending);
         const std::uint32_t lanes = mask_bits(tag_i, mask);
@@ -168,8 +168,8 @@ private:
     }
 
     // ---- fragments
-    HWY_INLINE std::uint32_t resolve_fragments(const Samples& s, VecI ref, std::uint32_t first,
-                                               std::uint32_t pending) {
+    SCANSHADE_INLINE std::uint32_t resolve_fragments(const Samples& s, VecI ref,
+                                                     std::uint32_t first, std::uint32_t pending) {
         const std::uint32_t number = (first & ~fragment_bit) >> lane_shift;
         const MaskI mask = lanes_of(hn::ShiftRight<lane_shift>(ref), first >> lane_shift, pending);
         const std::uint32_t lanes = mask_bits(tag_i, mask);

@@ -46,19 +46,21 @@ template <class Rows>
 class PlaneLookup {
 public:
     static constexpr bool planes = true;
-    HWY_INLINE PlaneLookup(const Rows& rows, const Samples& s, const Attributes& attributes)
+    SCANSHADE_INLINE PlaneLookup(const Rows& rows, const Samples& s, const Attributes& attributes)
         : at(attributes),
           rows_(rows),
           x_(hn::Sub(s.at.x, rows.row(row_origin_x))),
           y_(hn::Sub(s.at.y, rows.row(row_origin_y))) {}
-    HWY_INLINE VecF row(int r) const { return rows_.row(r); }
-    HWY_INLINE VecF value(int r) const { return fused_value(plane(r), Lanes(x_), Lanes(y_)).v; }
+    SCANSHADE_INLINE VecF row(int r) const { return rows_.row(r); }
+    SCANSHADE_INLINE VecF value(int r) const {
+        return fused_value(plane(r), Lanes(x_), Lanes(y_)).v;
+    }
     /// With the bits of the scalar renderers.
     VecF depth() const { return plane_value(plane(row_depth), Lanes(x_), Lanes(y_)).v; }
     const Attributes& at;
 
 private:
-    HWY_INLINE ScreenPlane<Lanes> plane(int r) const {
+    SCANSHADE_INLINE ScreenPlane<Lanes> plane(int r) const {
         return {Lanes(row(r)), Lanes(row(r + 1)), Lanes(row(r + 2))};
     }
 
@@ -71,7 +73,7 @@ template <class Rows>
 class QuadLookup {
 public:
     static constexpr bool planes = false;
-    HWY_INLINE QuadLookup(const Rows& rows, const Samples& s, const Attributes& attributes)
+    SCANSHADE_INLINE QuadLookup(const Rows& rows, const Samples& s, const Attributes& attributes)
         : at(attributes), rows_(rows) {
         const VecF X = hn::Sub(s.at.x, row(row_origin_x)), Y = hn::Sub(s.at.y, row(row_origin_y));
         VecF x[4], t[4], left = hn::Zero(tag_f), right = hn::Set(tag_f, 1.0f);
@@ -103,8 +105,8 @@ public:
         for (int k = 0; k < 4; ++k)
             weight_[k] = hn::Add(hn::Sub(edge[k], to_next[k]), to_next[(k + 3) % 4]);
     }
-    HWY_INLINE VecF row(int r) const { return rows_.row(r); }
-    HWY_INLINE VecF value(int r) const {
+    SCANSHADE_INLINE VecF row(int r) const { return rows_.row(r); }
+    SCANSHADE_INLINE VecF value(int r) const {
         return hn::MulAdd(
             row(r), weight_[0],
             hn::MulAdd(row(r + 1), weight_[1],

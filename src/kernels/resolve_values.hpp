@@ -21,9 +21,9 @@ protected:
         : view_(view), tile_(tile), out_(surface) {}
 
     template <class Lookup>
-    HWY_INLINE void resolve_values(const Samples& s, const Lookup& batch, Shading shading,
-                                   const ResolveMaterial& material, bool normals_disagree,
-                                   MaskF mask) {
+    SCANSHADE_INLINE void resolve_values(const Samples& s, const Lookup& batch, Shading shading,
+                                         const ResolveMaterial& material, bool normals_disagree,
+                                         MaskF mask) {
         const Attributes& at = batch.at;
         const VecF unscale = view_.affine ? hn::Set(tag_f, 1.0f) : s.inv_z;
         if (shading == Shading::phong && material.reads_normal) {
@@ -134,7 +134,7 @@ protected:
     }
 
     // ---- for all of them
-    HWY_INLINE void recover_position(const Samples& s) {
+    SCANSHADE_INLINE void recover_position(const Samples& s) {
         const ResolveView& v = view_;
         const VecF near = hn::Set(tag_f, v.raster.near);
         VecF ray[3];
@@ -154,7 +154,7 @@ protected:
         }
     }
 
-    HWY_INLINE void note_zero_normals(const Samples& s, const VecF (&n)[3], MaskF mask) {
+    SCANSHADE_INLINE void note_zero_normals(const Samples& s, const VecF (&n)[3], MaskF mask) {
         const VecF n2 = hn::MulAdd(n[0], n[0], hn::MulAdd(n[1], n[1], hn::Mul(n[2], n[2])));
         const VecF least = hn::Mul(hn::Set(tag_f, shortest_normal2), hn::Mul(s.z, s.z));
         const MaskF zero = hn::AndNot(hn::Gt(n2, least), mask);
@@ -176,8 +176,8 @@ protected:
 
     /// To the part before, where that is of the same vector and shaded alike. Where all is shaded
     /// alike, one part says how.
-    HWY_INLINE void add_part(std::uint32_t vector, std::uint32_t lanes, std::uint32_t material,
-                             Shading shading) {
+    SCANSHADE_INLINE void add_part(std::uint32_t vector, std::uint32_t lanes,
+                                   std::uint32_t material, Shading shading) {
         if (view_.shaded_alike && out_.part_count > 0) return;
         const bool lit = shading != Shading::phong;
         if (out_.part_count > 0) {

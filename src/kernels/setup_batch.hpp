@@ -60,8 +60,8 @@ private:
 
 /// Edge functions at the origins, in steps of whole pixels.
 template <int K>
-HWY_INLINE void edges_at_origin(const Edges<K>& e, const Boxes& box, VecI ox, VecI oy,
-                                VecI (&at_origin)[K]) {
+SCANSHADE_INLINE void edges_at_origin(const Edges<K>& e, const Boxes& box, VecI ox, VecI oy,
+                                      VecI (&at_origin)[K]) {
     const VecI back_x = hn::Sub(ox, box.x0), back_y = hn::Sub(oy, box.y0);
     for (int k = 0; k < K; ++k)
         at_origin[k] =
@@ -71,7 +71,7 @@ HWY_INLINE void edges_at_origin(const Edges<K>& e, const Boxes& box, VecI ox, Ve
 /// Which of the 4 × 4 blocks from the origins on triangles may touch, row by row in the upper half of
 /// a number: those in which no edge function is negative everywhere, which is to say where its
 /// gradient points to.
-HWY_INLINE VecI touched_blocks(const Edges<3>& e, const VecI (&at_origin)[3]) {
+SCANSHADE_INLINE VecI touched_blocks(const Edges<3>& e, const VecI (&at_origin)[3]) {
     constexpr int side = 4, rise = block_side - 1;
     const VecI zero = hn::Zero(tag_i);
     VecI at[3], right[3], down[3], next_row[3];
@@ -95,8 +95,8 @@ HWY_INLINE VecI touched_blocks(const Edges<3>& e, const VecI (&at_origin)[3]) {
 }
 
 /// The tiles that boxes reach, as the lists of them have to know of faces `kept`, batch · N + lane.
-HWY_INLINE void list_faces(const SetupView& view, const Boxes& box, MaskI kept, std::uint32_t batch,
-                           TileLists& lists) {
+SCANSHADE_INLINE void list_faces(const SetupView& view, const Boxes& box, MaskI kept,
+                                 std::uint32_t batch, TileLists& lists) {
     const int shift = __builtin_ctz(static_cast<unsigned>(view.tile));
     const auto tile_of = [&](VecI at) HWY_ATTR { return hn::ShiftRightSame(at, shift); };
     const VecI x0 = tile_of(box.x0), y0 = tile_of(box.y0), x1 = tile_of(box.x1),

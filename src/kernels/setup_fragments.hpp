@@ -16,7 +16,7 @@ constexpr int fragment_shift = 3 * corner_bits, fragment_side_bits = 2;
 constexpr int most_fragment_side = 3;  // samples of a box, across and down
 
 /// Where triangles cover the sample that is (x, y) from the first of their boxes.
-HWY_INLINE MaskI covers(const Edges<3>& edges, const Boxes& box, int x, int y) {
+SCANSHADE_INLINE MaskI covers(const Edges<3>& edges, const Boxes& box, int x, int y) {
     VecI least = hn::Set(tag_i, 0x7fffffff);
     for (int k = 0; k < 3; ++k) {
         VecI v = edges.inside[k];

@@ -69,7 +69,7 @@ struct Boxes {
 };
 
 template <int K>
-HWY_INLINE Boxes boxes_of(const Corners<K>& c, const SetupView& view) {
+SCANSHADE_INLINE Boxes boxes_of(const Corners<K>& c, const SetupView& view) {
     const VecI zero = hn::Zero(tag_i);
     VecI lx = c.x[0], hx = c.x[0], ly = c.y[0], hy = c.y[0];
     for (int k = 1; k < K; ++k) {
@@ -90,7 +90,7 @@ inline MaskI holds_samples(const Boxes& box) {
 }
 
 template <int K>
-HWY_INLINE Corners<K> fetch(const ClusterVertices& vertices, VecI packed) {
+SCANSHADE_INLINE Corners<K> fetch(const ClusterVertices& vertices, VecI packed) {
     Corners<K> c;
     c.packed = packed;
     VecI rest = packed;
@@ -105,7 +105,7 @@ HWY_INLINE Corners<K> fetch(const ClusterVertices& vertices, VecI packed) {
 
 /// Corners in their other order where asked for, the side noted, in one number again.
 template <int K>
-HWY_INLINE VecI pack(const Corners<K>& c, MaskI turn, MaskI back) {
+SCANSHADE_INLINE VecI pack(const Corners<K>& c, MaskI turn, MaskI back) {
     VecI packed = hn::Or(hn::And(c.packed, hn::Set(tag_i, ~std::int32_t(number_bit - 1))),
                          hn::IfThenElseZero(back, hn::Set(tag_i, std::int32_t(back_bit))));
     VecI corners = hn::Zero(tag_i);
@@ -120,7 +120,7 @@ struct Outside {
     MaskI all, any;
 };
 template <int K>
-HWY_INLINE Outside outside_of(const ClusterVertices& vertices, const Corners<K>& c) {
+SCANSHADE_INLINE Outside outside_of(const ClusterVertices& vertices, const Corners<K>& c) {
     VecI all = hn::Set(tag_i, -1), any = hn::Zero(tag_i);
     for (int k = 0; k < K; ++k) {
         const VecI code = look_up(vertices.outcode, c.local[k]);
@@ -144,7 +144,7 @@ struct Edges {
 };
 
 template <int K>
-HWY_INLINE Edges<K> edges_of(const Corners<K>& c, const Boxes& box, const SetupView& view) {
+SCANSHADE_INLINE Edges<K> edges_of(const Corners<K>& c, const Boxes& box, const SetupView& view) {
     Edges<K> e;
     const VecI zero = hn::Zero(tag_i);
     const VecI px = hn::Add(hn::ShiftLeft<8>(box.x0), hn::Set(tag_i, view.sample_x));

@@ -34,7 +34,7 @@ inline VecF to_float(VecI v) { return hn::ConvertTo(tag_f, v); }
 
 /// Numbers below 2^31 in magnitude, rounded toward zero, and to nearest. Highway's own spend more on
 /// numbers beyond than on these.
-HWY_INLINE VecI truncate(VecF v) {
+SCANSHADE_INLINE VecI truncate(VecF v) {
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
     return VecI{_mm512_cvttps_epi32(v.raw)};
 #elif HWY_TARGET == HWY_AVX2
@@ -43,7 +43,7 @@ HWY_INLINE VecI truncate(VecF v) {
     return hn::ConvertTo(tag_i, v);
 #endif
 }
-HWY_INLINE VecI nearest(VecF v) {
+SCANSHADE_INLINE VecI nearest(VecF v) {
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
     return VecI{_mm512_cvtps_epi32(v.raw)};
 #elif HWY_TARGET == HWY_AVX2
@@ -55,7 +55,7 @@ HWY_INLINE VecI nearest(VecF v) {
 
 /// One bit a lane.
 template <class Mask, class Tag>
-HWY_INLINE std::uint32_t mask_bits([[maybe_unused]] Tag tag, Mask mask) {
+SCANSHADE_INLINE std::uint32_t mask_bits([[maybe_unused]] Tag tag, Mask mask) {
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
     // That is what a mask is; Highway's way leads through memory. By name, because GCC 12 widens the
     // mask without an instruction and, short of registers, spills two bytes and reads back four.
@@ -71,7 +71,7 @@ HWY_INLINE std::uint32_t mask_bits([[maybe_unused]] Tag tag, Mask mask) {
 #endif
 }
 template <class Tag>
-HWY_INLINE hn::Mask<Tag> mask_of([[maybe_unused]] Tag tag, std::uint32_t bits) {
+SCANSHADE_INLINE hn::Mask<Tag> mask_of([[maybe_unused]] Tag tag, std::uint32_t bits) {
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
     return {static_cast<__mmask16>(bits)};
 #else
@@ -98,7 +98,7 @@ inline VecI number_of(VecI packed) {
 
 /// Numbers of a cluster's vertices by their local numbers. `of_local` has max_cluster_vertices of them,
 /// used or not.
-HWY_INLINE VecF look_up(const float* of_local, VecI local) {
+SCANSHADE_INLINE VecF look_up(const float* of_local, VecI local) {
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
     // A quarter of a gather's time: the whole table is permuted, half by half.
     static_assert(max_cluster_vertices == 64);
@@ -112,7 +112,7 @@ HWY_INLINE VecF look_up(const float* of_local, VecI local) {
     return hn::GatherIndex(tag_f, of_local, local);
 #endif
 }
-HWY_INLINE VecI look_up(const std::int32_t* of_local, VecI local) {
+SCANSHADE_INLINE VecI look_up(const std::int32_t* of_local, VecI local) {
     return hn::BitCast(tag_i, look_up(reinterpret_cast<const float*>(of_local), local));
 }
 
@@ -129,7 +129,7 @@ inline constexpr LanesOfMasks lanes_of_masks;
 
 /// The lanes of a mask first; the others have no meaning. Highway's own has a table for AVX2, too, but
 /// GCC 12 copies it onto the stack each time.
-HWY_INLINE VecI compress(VecI v, MaskI mask) {
+SCANSHADE_INLINE VecI compress(VecI v, MaskI mask) {
 #if HWY_TARGET == HWY_AVX2
     const std::uint8_t* lane = lanes_of_masks.lane[mask_bits(tag_i, mask)];
     const hn::Rebind<std::uint8_t, TagI> bytes;

@@ -18,6 +18,12 @@
 #include <cstdint>
 #include <type_traits>
 
+/// Inlined whatever the size: between vectors, a call would store and load every register. A build that
+/// counts what is reached defines it as no more than `inline`, or each branch would count once a copy.
+#ifndef SCANSHADE_INLINE
+#define SCANSHADE_INLINE inline __attribute__((always_inline))
+#endif
+
 #ifdef SCANSHADE_SIMD
 #define SCANSHADE_TARGET_BEGIN \
     HWY_BEFORE_NAMESPACE();    \
